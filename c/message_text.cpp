@@ -43,7 +43,7 @@ void explain(Reply& reply) noexcept {
       reply.put(e.what());
     }
   } catch (...) {
-    reply.put("raceway: an unknown error");
+    reply.put("raceway: an unknown error occurred");
   }
 }
 

@@ -94,9 +94,10 @@ int run(const AddFlags& flags) {
 Run setup_add(CLI::App& command) {
   auto flags = std::make_shared<AddFlags>();
   command
-      .add_option("MODEL EFFECT...", flags->names,
-                  "model file (TOML), then the effects to add (see raceway effects). law:skf "
-                  "replaces the base law; shape adds the power law that diagnose prints")
+      .add_option(
+          "MODEL EFFECT...", flags->names,
+          "model file (TOML), then the effects to add (see raceway effects). law:skf replaces the "
+          "base law by the law skf; shape adds the power law that diagnose finds")
       ->required()
       ->expected(2, 100)
       ->type_name("");

@@ -136,10 +136,9 @@ Run setup_calibrate_sensor(CLI::App& command) {
   flags->declare_force(command);
   declare_json(command, flags->json);
   command.footer(
-      "If a model has the table [torque_sensor], or this table with\n"
-      "file = \"sensor.toml\", all commands convert a column torque_signal_V of a\n"
-      "record to the friction torque.\n\n"
-      "Example:\n  raceway calibrate-sensor weights.csv -o sensor.toml");
+      "Copy the table [torque_sensor] into a model, or write this table there with\nfile = "
+      "\"sensor.toml\". All commands then convert a column torque_signal_V of a\nrecord to the "
+      "friction torque.\n\nExample:\n  raceway calibrate-sensor weights.csv -o sensor.toml");
   return [flags] { return run(*flags); };
 }
 

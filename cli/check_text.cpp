@@ -19,9 +19,10 @@ std::string noise_of_channel(const loop::Check::MeasuredChannel& m) {
   const auto text = [&](double rms) {
     return fmt::format("{} {} rms", error_text(rms, *m.channel, 3), error_unit(*m.channel));
   };
-  const std::string stated = std::isnan(m.noise.rms) ? "not known (no std column, no repeated rows)"
-                                                     : fmt::format("{} ({})", text(m.noise.rms),
-                                                                   fit::name(m.noise.source));
+  const std::string stated =
+      std::isnan(m.noise.rms)
+          ? "not known (too few repeated rows, and no std in every row)"
+          : fmt::format("{} ({})", text(m.noise.rms), fit::name(m.noise.source));
   // Both find the same noise: one number is enough.
   if (std::isnan(m.found_noise) || std::abs(m.found_noise - m.noise.rms) < 1e-3 * m.found_noise)
     return stated;
@@ -121,7 +122,8 @@ void print_check(const correction::RecordCheck& c) {
     for (const double tau : p.check.time_constants)
       lags.push_back(std::isfinite(tau) ? fmt::format("{:.4g} s", tau) : "no decay");
     fmt::print(
-        "channel {}: poles of {}, DC gain {:.4g} {} per unit ({:.4g} to {:.4g} as printed)\n",
+        "channel {}: time constants of the poles: {}; DC gain {:.4g} {} per unit ({:.4g} to {:.4g} "
+        "if the printed digits are rounded)\n",
         p.channel, fmt::join(lags, ", "), p.check.dc_gain / um, c.displacement->unit,
         p.check.dc_gain_lower / um, p.check.dc_gain_upper / um);
   }

@@ -60,7 +60,8 @@ Run setup_compare(CLI::App& command) {
       ->expected(-1);
   command
       .add_option("--refit", flags->how.refit,
-                  "parameters that are fitted to DATA first, separated by commas, such as f0,z")
+                  "parameters that the command fits to DATA before the comparison, separated by "
+                  "commas, such as f0,z")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");

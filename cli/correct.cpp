@@ -90,7 +90,9 @@ int run(const CorrectFlags& flags) {
 Run setup_correct(CLI::App& command) {
   auto flags = std::make_shared<CorrectFlags>();
   declare_model(command, flags->model, "[correction]");
-  command.add_option("RECORD", flags->data, "record over time (CSV); displacements can be empty")
+  command
+      .add_option("RECORD", flags->data,
+                  "record over time (CSV); cells of the displacement may be empty")
       ->required()
       ->type_name("");
   flags->declare_output(

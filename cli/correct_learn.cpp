@@ -74,7 +74,7 @@ void LearnFlags::declare(CLI::App& command) {
   command
       .add_option("--every", choices.every,
                   "with --learn: shortest time between two readings for learning, such as 4h; the "
-                  "other readings test the prediction; default: all readings are learnt")
+                  "other readings test the prediction; default: all readings are used for learning")
       ->type_name("TIME");
   command
       .add_option("--forget", choices.forget,

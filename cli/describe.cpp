@@ -70,8 +70,9 @@ Run setup_describe(CLI::App& command) {
       ->type_name("");
   command.add_option("COMMAND", flags->command, "with man: command of the page")->type_name("");
   command
-      .add_option("--tree", flags->tree,
-                  "write all files below this folder, in the structure of share/")
+      .add_option(
+          "--tree", flags->tree,
+          "write all completions and man pages into this folder, in the subfolders of share/")
       ->type_name("FOLDER");
   command.footer(
       "Example:\n  raceway describe bash > ~/.local/share/bash-completion/completions/raceway\n"

@@ -101,7 +101,8 @@ Run setup_diagnose(CLI::App& command) {
   command.add_flag("--no-pairs", flags->no_pairs, "test single effects only, which is faster");
   command
       .add_option("--tried-before", flags->tried_before,
-                  "number of explanations that you have already tried on these data")
+                  "number of explanations that you have already tried on these data; diagnose then "
+                  "requires more evidence")
       ->type_name("N");
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
              "time after which diagnose stops [s]; default 120");
@@ -114,9 +115,9 @@ Run setup_diagnose(CLI::App& command) {
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");
   command.footer(
-      "Several DATA files make one record. A missing effect is common to all of them.\n\n"
-      "Example:\n  raceway diagnose my.toml rig.csv --report page.html\n"
-      "  raceway diagnose my.toml monday.csv friday.csv --per-record f0,z");
+      "The program joins several DATA files into one record, and assumes that a missing\neffect is "
+      "the same in all of them.\n\nExample:\n  raceway diagnose my.toml rig.csv --report "
+      "page.html\n  raceway diagnose my.toml monday.csv friday.csv --per-record f0,z");
   return [flags] { return run(*flags); };
 }
 

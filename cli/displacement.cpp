@@ -30,7 +30,7 @@ void print(const std::string& name, const session::ShaftCurve& curve) {
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", name);
   fmt::print(
       "preload {:.4g} N at standstill; the front set loses contact at an external load of {} N, "
-      "the rear set {}\n\n",
+      "and the rear set {}\n\n",
       mounted.preload(), number(free.front),
       std::isnan(free.rear) ? "at none" : fmt::format("at {} N", number(free.rear)));
   // A number, and behind it how sure it is.

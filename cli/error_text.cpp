@@ -21,9 +21,10 @@ std::string noise_text(const verdict::Comparison& c) {
       "not known ({}){}",
       record::find_channel(of.name) == nullptr  // of a record over time
           ? "no noise is given, and the interval between readings is too long to estimate it"
-          : fmt::format("{}no repeated rows", column == record::channels.end()
-                                                  ? ""
-                                                  : fmt::format("no column {}, ", column->name)),
+          : fmt::format("too few repeated rows{}",
+                        column == record::channels.end()
+                            ? ""
+                            : fmt::format(", and no {} in every row", column->name)),
       std::isnan(c.estimated_noise)
           ? ""
           : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));

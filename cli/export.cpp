@@ -90,7 +90,7 @@ Run setup_export(CLI::App& command) {
       ->type_name("RECORD");
   flags->declare_output(command, "file to write; default: stdout");
   command.add_flag("--accept-untrusted", flags->accept_untrusted,
-                   "export the correction even if its trust is \"do not use\"");
+                   "export the correction even if raceway rates it \"do not use\"");
   flags->declare_force(command);
   command.footer(
       "Example:\n  raceway export z.toml --format python -o correction.py\n"

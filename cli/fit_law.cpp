@@ -81,9 +81,9 @@ Run setup_fit_law(CLI::App& command) {
   auto flags = std::make_shared<FitLawFlags>();
   flags->curve = "-";
   command
-      .add_option(
-          "CSV", flags->curve,
-          "CSV with speed_rpm, axial_displacement_um and, if known, std_um; - or none: stdin")
+      .add_option("CSV", flags->curve,
+                  "CSV with speed_rpm, axial_displacement_um and, if known, std_um; with - or "
+                  "without CSV, the command reads stdin")
       ->type_name("");
   add_number(command, "--at", flags->at, speed_range,
              "also print displacement and slope at this speed [rpm]");

@@ -50,7 +50,8 @@ void print_ahead(const correction::Identification& found) {
     table.add({number(e.from / 3600.0, 3), number(e.rms / um, 3)});
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "mean over {} strengths of the ridge regression, weighted by their prediction error\n\n",
+      "the model is the mean over {} strengths of the ridge regression, weighted by their "
+      "prediction error\n\n",
       found.strengths.size());
 }
 
@@ -83,8 +84,8 @@ void print_trust(const record::Channel& displacement, const correction::Trust& t
 
 void print_identification(const correction::Identification& found, const record::Record& record) {
   if (found.is_bank()) {
-    fmt::print("{} of {}: every input through the same lags\n\n", found.model.displacement->name,
-               record.source);
+    fmt::print("{} of {}: all inputs pass through one bank of lags\n\n",
+               found.model.displacement->name, record.source);
     print_ahead(found);
     print_bank(found);
     fmt::print("\nRMS {} {unit}, ahead {} {unit}, noise {} {unit}\n",
@@ -103,9 +104,8 @@ void print_identification(const correction::Identification& found, const record:
   }
   print_sections(found);
   fmt::print(
-      "\nRMS {} {unit}, held out {} {unit}, noise {} {unit}; condition {:.2g}; residuals are "
-      "correlated "
-      "over {:.3g} min\n",
+      "\nRMS {} {unit}, held out {} {unit}, noise {} {unit}; condition number {:.2g}; residuals "
+      "are correlated over {:.3g} min\n",
       number(found.metrics.rms / um, 3), number(found.rms_held_out / um, 3),
       number(found.noise / um, 2), found.condition, found.correlation_time / 60.0,
       fmt::arg("unit", unit_of(found)));

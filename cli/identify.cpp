@@ -106,13 +106,14 @@ Run setup_identify(CLI::App& command) {
   command.add_option("RECORD", flags->data, "record over time (CSV)")->required()->type_name("");
   command
       .add_option("--order", flags->choices.order,
-                  "number of sections of each channel, such as 2, or a range such as 1:3, from "
-                  "which the program chooses by the held-out error; default 1:3")
+                  "number of sections (lags) of each channel, such as 2, or a range such as 1:3, "
+                  "from which the program chooses by the held-out error; default 1:3")
       ->type_name("N");
   command
       .add_option("--inputs", flags->choices.inputs,
                   "columns that may become channels, separated by commas, or all; the program adds "
-                  "a column only if the held-out error falls")
+                  "only columns that reduce the held-out error (with --lags or --baseline: all of "
+                  "these columns)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("COLUMNS");
@@ -120,7 +121,7 @@ Run setup_identify(CLI::App& command) {
       .add_option("--lags", flags->choices.lags,
                   "bank of lags for machines with many sensors: time constants in s, separated by "
                   "commas; 0 means no lag; auto chooses them from the length of the record. Ridge "
-                  "regression fits the gains. Default of --inputs: all")
+                  "regression fits the gains. With --lags, the default of --inputs is all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("S,...")

@@ -37,8 +37,9 @@ friction::TableSlab slab_of(const std::string& text) {
 void merge_slabs(const std::vector<std::string>& slabs, const std::string& output,
                  const CsvStyle& csv, text::IfExists if_exists) {
   if (output.empty())
-    throw text::InputError("raceway table: --merge writes a file: --output is missing",
-                           {.key = "--output"});
+    throw text::InputError(
+        "raceway table: --output is missing; --merge writes the table to this file",
+        {.key = "--output"});
   if (csv.format != "csv" && csv.format != "excel")
     throw text::InputError("raceway table: --merge can only write --format csv or excel",
                            {.key = "--format"});

@@ -53,9 +53,11 @@ void print_crossings(const std::vector<results::ModesAtSpeed>& speeds) {
 
 void print(const ModesFlags& f, const session::SpindleModes& found) {
   const bearing::Arrangement& a = found.beam.sets.arrangement();
-  fmt::print("Modes of {}, {:.4g} kg on its bearings{}: frequency in Hz, b backward, f forward\n",
-             found.file.model.name, found.beam.beam.weight(),
-             f.warm ? ", warm in the steady state" : ", cold");
+  fmt::print(
+      "Modes of {}, {:.4g} kg on its bearings{}: frequency in Hz, b backward whirl, f forward "
+      "whirl\n",
+      found.file.model.name, found.beam.beam.weight(),
+      f.warm ? ", warm in the steady state" : ", cold");
   fmt::print("preload {:.4g} N at standstill\n\n", a.preload());
   std::vector<TextTable::Column> columns{{"speed", "rpm"}, {"front", "N"}, {"rear", "N"}};
   for (std::size_t i = 0; i < a.bearings().size(); ++i)

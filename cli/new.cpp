@@ -57,8 +57,8 @@ Run setup_new(CLI::App& command) {
   auto flags = std::make_shared<NewFlags>();
   command
       .add_option("BEARING", flags->wanted.bearing,
-                  "designation, such as \"7014 C\"; raceway bearings lists the catalogue, other "
-                  "bearings are estimated")
+                  "designation, such as \"7014 C\"; raceway bearings lists the catalogue; the "
+                  "program estimates other bearings")
       ->type_name("");
   command.add_flag(
       "--spindle", flags->wanted.spindle,

@@ -84,7 +84,7 @@ Run setup_sensitivity(CLI::App& command) {
           "--of", flags->of,
           "predictions, separated by commas: torque, heat, displacement, contact-angle, stiffness, "
           "pressure, life; for shafts and spindles also preload and temperature; or columns of "
-          "raceway solve. Default: torque, for a shaft displacement")
+          "raceway solve. Default: torque; for a shaft: displacement")
       ->type_name("NAMES");
   flags->axes.declare(command,
                       "speeds [rpm]; all axes: a list such as 100,300,900 or a range from:to:step "
@@ -95,8 +95,8 @@ Run setup_sensitivity(CLI::App& command) {
       .add_option("--spread", flags->spread,
                   "possible error of numbers in both directions, separated by commas, such as "
                   "ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%; or a file (TOML) with keys of "
-                  "the model. Default: 1 %, 1 K for temperatures, 1 for counts, and sqrt(3) "
-                  "standard errors for fitted numbers")
+                  "the model. Default: 1 %, 1 K for temperatures, 1 for numbers of parts, and "
+                  "sqrt(3) standard errors for fitted numbers")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,

@@ -112,7 +112,8 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
     double alone = 0.0;
     for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
     fmt::print(
-        "samples: mean {}, standard deviation {}; single numbers cause {:.3f} of the variance\n",
+        "samples: mean {}, standard deviation {}; the numbers on their own, without interactions, "
+        "cause {:.3f} of the variance\n",
         number(p.global->mean), number(p.global->std, 3), alone);
   }
   for (const std::string& line : p.cannot_tell) fmt::print("{}\n", line);

@@ -44,12 +44,12 @@ void declare_beside(CLI::App& command, session::Reading& reading) {
 void declare(CLI::App& command, session::Period& period) {
   command
       .add_option("--from", period.from,
-                  "for a record over time: use only readings from this time on, such as 22h; the "
-                  "model still uses the inputs of all rows")
+                  "for models with [correction]: use only readings from this time on, such as 22h; "
+                  "the model still uses the inputs of all rows")
       ->type_name("TIME");
   command
       .add_option("--until", period.until,
-                  "for a record over time: use only readings up to this time")
+                  "for models with [correction]: use only readings up to this time")
       ->type_name("TIME");
 }
 
@@ -81,8 +81,8 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
 void declare(CLI::App& command, session::Tolerance& tolerance) {
   command
       .add_option("--tolerance", tolerance.text,
-                  "largest error that you accept, such as 2Nmm or 2um,0.5K; for models without a "
-                  "tolerance under [loop]")
+                  "largest error that you accept, such as 2Nmm or 2um,0.5K; for models without "
+                  "this tolerance under [loop] or [correction]")
       ->type_name("VALUES");
 }
 

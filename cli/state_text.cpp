@@ -118,8 +118,10 @@ void print_state(const model::Model& model, const bearing::OperatingPoint& p,
     fmt::print("{} of {} balls have no contact with the inner race\n", e.lost_balls(),
                e.balls.size());
   if (model.balanced_balls)
-    fmt::print("rotation axes of the balls by traction: {} deg to the bearing axis\n",
-               pitch_angles(bearing_of(model, friction), e, model.solver));
+    fmt::print(
+        "rotation axes of the balls, from the traction in the contacts: {} deg to the bearing "
+        "axis\n",
+        pitch_angles(bearing_of(model, friction), e, model.solver));
   const auto& u = e.displacement;
   fmt::print("\naxial displacement  {:>10} um      axial stiffness   {:>8} N/um\n",
              number(u[0] / um), number(e.stiffness(0, 0) / N_per_um));

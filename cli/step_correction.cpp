@@ -19,7 +19,10 @@ void StepCorrectionFlags::declare(CLI::App& command) {
       .add_option("--correction", file,
                   "correction model to write; its tables are written to the same folder")
       ->type_name("FILE");
-  command.add_option("--law", law, "law for K and T in the correction: curve, power or line")
+  command
+      .add_option("--law", law,
+                  "law for gain K and time constant T over the power in the correction: curve, "
+                  "power or line")
       ->check(CLI::IsMember({"curve", "power", "line"}))
       ->type_name("LAW");
   command

@@ -34,8 +34,9 @@ void print_load_steps(const std::vector<spindle::LoadSteps>& loads) {
 void print_steps(const session::SpindleSteps& steps) {
   const spindle::StepResponses& responses = steps.responses;
   const spindle::PowerLaws& laws = steps.laws;
-  fmt::print("Step responses of {}: u = kinematic + K (1 - exp(-t/T)), P at the end\n\n",
-             steps.source);
+  fmt::print(
+      "Step responses of {}: u = kinematic + K (1 - exp(-t/T)); power P at the end of the step\n\n",
+      steps.source);
   TextTable table({{"step", "", true},
                    {"power", "W"},
                    {"kinematic", "um"},

@@ -50,8 +50,9 @@ double memory() {
 std::string slabs(double all, double most) {
   const double count = std::max(2.0, std::ceil(all / most));
   if (!(count <= most_slabs)) return "even a million slabs are not enough";
-  return fmt::format("calculate the table in {0:.0f} slabs, --slab 1/{0:.0f} to {0:.0f}/{0:.0f}",
-                     count);
+  return fmt::format(
+      "calculate the table in {0:.0f} slabs with --slab 1/{0:.0f} to --slab {0:.0f}/{0:.0f}",
+      count);
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ void require_memory_to_merge(const std::vector<std::string>& files) {
   const double most = 0.8 * memory();
   if (bytes > most)
     throw text::InputError(
-        fmt::format("raceway merge: the slabs and their table need {:.3g} GB of memory, but only "
+        fmt::format("raceway table: the slabs and their table need {:.3g} GB of memory, but only "
                     "{:.3g} GB are available",
                     bytes / GB, most / GB));
 }

@@ -159,8 +159,8 @@ class Planner {
         unknown += (unknown.empty() ? "" : ", ") + in.column;
     if (!unknown.empty())
       note(
-          fmt::format("[correction.range] has no {}, so the program cannot detect when this input "
-                      "leaves the training data",
+          fmt::format("[correction.range] has no range of {}, so the program cannot detect values "
+                      "outside the training data",
                       unknown));
   }
 
@@ -185,8 +185,8 @@ class Planner {
     if (!t.holds({t.speed.front(), made.axial_load_N.front(), made.radial_load_N.front(),
                   temperatures.front()}))
       note(
-          fmt::format("channel {}: the load or temperature is outside {}; the program uses the "
-                      "value at the edge",
+          fmt::format("channel {}: the constant load or temperature is outside the range of {}; "
+                      "the program uses the value at the edge",
                       channel, t.file));
     plan_.tables.push_back(std::move(made));
     return plan_.tables.size() - 1;
@@ -419,7 +419,8 @@ class Planner {
           fmt::format("{}: initial_state = \"free\" needs readings, so the program starts from "
                       "rest, as if the machine were cold",
                       axis.column));
-    if (m.covariance) note(fmt::format("{}: the program has no confidence band", axis.column));
+    if (m.covariance)
+      note(fmt::format("{}: the exported program calculates no confidence band", axis.column));
     plan_.axes.push_back(std::move(axis));
   }
 

@@ -277,8 +277,7 @@ class TableReader {
       } else if (r.name.starts_with(of_weight)) {
         const std::size_t next = t.weights.size() + 1;  // of the triangle, row by row
         const std::size_t size = t.inputs.size();
-        if (next > size * (size + 1) / 2)
-          fail(r, "has more weights than there are inputs before it");
+        if (next > size * (size + 1) / 2) fail(r, "is one weight too many for the inputs above it");
         const std::size_t column = next - 1 - (size * (size - 1)) / 2;
         if (size == 0 || column >= size ||
             plan_.inputs[t.inputs[column]].column != r.name.substr(of_weight.size()))

@@ -29,7 +29,9 @@ std::vector<DrivenChannel> bare_channels(const Model& model,
   for (const DrivenChannel& c : model.channels) {
     if (c.input.is_power())
       messages.push_back(record::note::rows_used(
-          fmt::format("channel {} is left out: a regression uses columns only", c.name),
+          fmt::format("channel {} is left out: a regression uses only columns of the record, but "
+                      "this channel has a calculated power",
+                      c.name),
           {.key = c.name}));
     else
       list.push_back({.name = c.name, .input = c.input});
@@ -210,8 +212,8 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   see(found, record);
   found.evidence = evidence_on(found, record, result.rms_held_out);
   result.model = std::move(found);
-  result.messages.push_back(
-      record::note::limits("a regression has no memory, and it extrapolates in straight lines"));
+  result.messages.push_back(record::note::limits(
+      "a regression uses only the inputs of the same row, and extrapolates linearly"));
   return result;
 }
 

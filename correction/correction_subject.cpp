@@ -432,8 +432,8 @@ Effect CorrectionSubject::as_switched_on(const std::string& id) const {
                                         : fmt::format("{}: the model already has this effect", id));
   if (const EffectCard* const card = find_card(id))
     throw std::invalid_argument(card->evidence
-                                    ? fmt::format("{}: the record itself shows this effect; it has "
-                                                  "no parameter, so it cannot be added",
+                                    ? fmt::format("{}: the record itself shows this effect, which "
+                                                  "has no parameter, so add cannot write it",
                                                   id)
                                     : fmt::format("{}: needs {}", id, card->needs));
   throw std::invalid_argument(

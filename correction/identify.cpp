@@ -92,14 +92,16 @@ class Search {
           *subject, tolerance::for_search(record_), tolerance::usual_width(*record_)));
     if (recorded_->means.list.size() < 3 * subject->free().size())
       throw std::invalid_argument(fmt::format(
-          "{} readings of {} are too few for {} parameters. Rows that are close in time are one "
-          "reading: the record has {} rows over {:.4g} s. Is {} in seconds?",
+          "{} readings of {} are too few for {} parameters. Rows that are close in time count as "
+          "one reading: the record has {} rows over {:.4g} s. Is {} in seconds?",
           recorded_->means.list.size(), model.displacement->words, subject->free().size(),
           record_->rows(), length_of(record_->values(record::time)), record::time.name));
     Approximation a = tolerance::approximate(subject, *recorded_, subject->free(), search());
     stop_where_cancelled();
     if (a.fit.values.size() == 0)
-      throw std::invalid_argument("no start of the search has a finite error");
+      throw std::invalid_argument(
+          "the model with its start values has no finite error on this record; check the start "
+          "values and the units of the columns");
     tolerance::hold_out(a, *recorded_);
     stop_where_cancelled();
     return a;
@@ -311,8 +313,8 @@ class Search {
             {.key = p.name}));
     if (std::isnan(result_.rms_held_out))
       tell(
-          record::note::limits("too few readings to hold parts out: the order follows from the "
-                               "error of the fit itself"));
+          record::note::limits("there are too few readings to hold parts out: the number of "
+                               "sections is chosen by the error of the fit itself"));
     if (result_.condition > 1e6)
       tell(record::note::not_identifiable(fmt::format(
           "some fitted parameters are nearly dependent (condition number {:.1e}): the record "

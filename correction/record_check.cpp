@@ -152,7 +152,7 @@ class Checking {
     if (result_.readings > 0 && result_.reading_interval > 120.0)
       warn(record::note::noise(
           fmt::format("readings come every {:.3g} s, which is too slow to estimate the noise of "
-                      "the sensor; declare {}",
+                      "the sensor; give {} in the model",
                       result_.reading_interval, in_unit_of(model_, "measurement_std_um"))));
   }
 
@@ -179,11 +179,10 @@ class Checking {
       for (const Channel* column : c.input.columns)
         if (const double q = quantum_of_column(*column); std::isfinite(q))
           warn(record::note::sensor(
-              fmt::format(
-                  "channel {}: a step of the last digit of {} ({}) moves the displacement by "
-                  "{:.3g} {} at once",
-                  c.name, column->name, amount(*column, q), std::abs(c.feedthrough * q) / um,
-                  unit_of(model_)),
+              fmt::format("channel {}: a step of the last digit of {} ({}) moves the predicted "
+                          "displacement by {:.3g} {} at once",
+                          c.name, column->name, amount(*column, q),
+                          std::abs(c.feedthrough * q) / um, unit_of(model_)),
               {.key = c.name}));
     }
   }

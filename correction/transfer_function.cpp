@@ -161,16 +161,18 @@ std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum
   std::vector<std::string> result = warnings_of(c.poles);
   if (c.unstable_share > 0.0)
     result.push_back(
-        fmt::format("rounding of the printed digits can make it unstable ({:.1f} % of 4000 draws)",
+        fmt::format("rounding of the printed digits can make the response unstable (in {:.1f} % of "
+                    "4000 random draws)",
                     100.0 * c.unstable_share));
   if (c.dc_gain_upper - c.dc_gain_lower > 0.2 * std::abs(c.dc_gain))
-    result.push_back(fmt::format(
-        "DC gain not determined by the printed digits: {:.4g} lies in {:.4g} to {:.4g} (5 to 95 %)",
-        c.dc_gain / um, c.dc_gain_lower / um, c.dc_gain_upper / um));
-  if (std::abs(c.feedthrough) * quantum > visible)
     result.push_back(
-        fmt::format("feedthrough turns a quantum of {:g} of its sensor into a step of {:.3g} {}",
-                    quantum, c.feedthrough * quantum / um, unit));
+        fmt::format("DC gain not determined by the printed digits: {:.4g}, but {:.4g} to {:.4g} (5 "
+                    "to 95 %) is possible",
+                    c.dc_gain / um, c.dc_gain_lower / um, c.dc_gain_upper / um));
+  if (std::abs(c.feedthrough) * quantum > visible)
+    result.push_back(fmt::format(
+        "feedthrough turns a step of the last digit of the input ({:g}) into a step of {:.3g} {}",
+        quantum, c.feedthrough * quantum / um, unit));
   if (!(std::abs(c.single_error) <= 0.01))
     result.push_back(fmt::format(
         "in single precision, the error after a step is {:.1f} % of the gain after 40 h",
@@ -189,7 +191,8 @@ TransferFunction reduced(const TransferFunction& printed) {
   if (printed.denominator.front() != 1.0)
     throw std::invalid_argument("the denominator must begin with 1");
   if (!(printed.sampling > 0.0))
-    throw std::invalid_argument("a transfer function needs the sampling time that it was made for");
+    throw std::invalid_argument(
+        "a transfer function needs the sampling interval for which it is valid");
   TransferFunction result = printed;
   while (has_root_at_one(result.numerator) && has_root_at_one(result.denominator)) {
     result.numerator = divided_by_root_at_one(result.numerator);

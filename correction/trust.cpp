@@ -165,7 +165,7 @@ Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
   Trust trust = trust_of(model);
   if (trust.level == TrustLevel::good && beyond.rows() > 0)
     trust = {TrustLevel::within_range,
-             fmt::format("{} of the {} rows are outside", beyond.rows(), beyond.at_row.size())};
+             fmt::format("{} of the {} rows are outside it", beyond.rows(), beyond.at_row.size())};
   return trust;
 }
 

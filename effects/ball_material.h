@@ -26,8 +26,8 @@ struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "the ball material differs from the entered material";
   static constexpr std::string_view mechanism =
-      "Ceramic balls have 0.41 times the mass of steel balls and are stiffer. At speed they load "
-      "the outer race less and have a smaller gyroscopic moment.";
+      "Ceramic balls have 0.41 times the mass of steel balls and are stiffer. At speed, ceramic "
+      "balls load the outer race less and have a smaller gyroscopic moment.";
   static constexpr std::string_view formula =
       "density, modulus and Poisson's ratio are changed by the share c towards the other material";
   static constexpr std::string_view source = "definition";

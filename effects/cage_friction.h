@@ -18,8 +18,8 @@ struct CageFriction {
   static constexpr std::string_view id = "cage-friction";
   static constexpr std::string_view title = "friction of the cage on its guiding land";
   static constexpr std::string_view mechanism =
-      "The cage runs on the land of a ring like a lightly loaded plain bearing: its drag is "
-      "proportional to speed and viscosity.";
+      "The cage runs on the land of a ring like a lightly loaded plain bearing. The drag of the "
+      "cage is proportional to speed and viscosity.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm) (nu/20 mm2/s)";
   static constexpr std::string_view source =
       "Petroff's law; Harris and Kotzalas, Rolling Bearing Analysis, vol. 2, ch. 5";

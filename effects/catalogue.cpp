@@ -156,12 +156,13 @@ std::string_view text(Need need) {
       return "the contact law, or an effect in the model that uses ball loads, such as "
              "spin-friction: the other base laws use the entered load only";
     case Need::palmgren_law:
-      return "the palmgren law: the skf law contains this effect";
+      return "the palmgren law: the skf law already contains this effect, and a friction table may "
+             "contain it";
     case Need::opposed_sets:
       return "bearings at both ends of the shaft: the spring of a tandem keeps its preload";
     case Need::torque_standard:
-      return "a known torque to compare with: the measured torque alone does not separate the "
-             "effect from a common factor on all moments";
+      return "a known reference torque: the measured torque alone does not separate this effect "
+             "from a common factor on all moments";
     case Need::cold_friction:
       return "a model whose friction uses the forces of the cold sets (preload_feedback = false): "
              "the forces of the warm sets already include the effect";

@@ -43,7 +43,7 @@ struct CentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr std::array<std::string_view, 4> confused_with{
       "thermal-preload", "lubricant-drag", "windage", "spin-friction"};
   static constexpr std::string_view settled_by =
-      "the torque soon after a change of speed and again when warm";
+      "the torque soon after a change of speed and again when the bearing is warm";
   static constexpr std::array parameters{Parameter{.name = "force_at_10000_rpm_N",
                                                    .unit = "N",
                                                    .initial = 50.0,

@@ -222,14 +222,14 @@ Effect make_effect(const UserMadeEffect& given) {
     if (f.uses(variable)) owner->bearing_data.push_back(datum);
   if (owner->given.title.empty()) owner->given.title = "formula of the model file";
   return effect_of(
-      owner, "Written as a formula in the model file.",
+      owner, "The effect is a formula in the model file.",
       [&](std::size_t k, std::span<const double> values) { return f.is_size(k, values); });
 }
 
 Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment) {
   const std::shared_ptr<Owner> owner = owner_of(given);
   owner->moment = std::move(moment);
-  return effect_of(owner, "A function that the user wrote.",
+  return effect_of(owner, "The effect is a function that the user wrote.",
                    [](std::size_t, std::span<const double>) { return true; });
 }
 

@@ -27,9 +27,10 @@ struct GyroscopicSlip {
       "a moment that follows the gyroscopic moment (empirical)";
   static constexpr std::string_view mechanism =
       "In angular contact the orbit turns the spin axis of each ball, which causes a gyroscopic "
-      "moment proportional to the square of speed. Empirical: a friction moment proportional to "
-      "it. The gyroscopic moment itself is perpendicular to the shaft and does not brake it. "
-      "Sliding starts only above the friction limit; the program does not compute its power.";
+      "moment proportional to the square of speed. The effect is empirical: its friction moment is "
+      "proportional to the gyroscopic moment. The gyroscopic moment itself is perpendicular to the "
+      "shaft and does not brake the shaft. A ball slides only above the friction limit; the "
+      "program does not compute the power of this sliding.";
   static constexpr std::string_view formula =
       "M = c sum of M_g over the balls: an empirical shape, not a friction law";
   static constexpr std::string_view within_contacts =

@@ -51,7 +51,7 @@ struct LoadCalibration {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("axial loads are {:.3g} times those of the record", 1.0 / values[0]);
+    return fmt::format("the true axial loads are {:.3g} times the recorded loads", 1.0 / values[0]);
   }
 };
 

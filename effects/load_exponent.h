@@ -23,10 +23,10 @@ struct LoadExponent {
   static constexpr std::string_view id = "load-exponent";
   static constexpr std::string_view title = "a different exponent of the load moment";
   static constexpr std::string_view mechanism =
-      "The load exponent of the load moment is a mean over many bearings. A slightly wrong "
+      "The exponent of the load in the load moment is a mean over many bearings. A slightly wrong "
       "exponent looks like missing physics over the whole range.";
   static constexpr std::string_view formula =
-      "M1 (P0 / 200 N)^e in place of M1; with f1_load = \"F_b\" M1 (F_b / 1000 N)^e";
+      "M1 (P0 / 200 N)^e in place of M1; with f1_load = \"F_b\": M1 (F_b / 1000 N)^e";
   static constexpr std::string_view within_contacts =
       "rolling_factor under [friction], whose exponents follow from the contacts";
   static constexpr std::string_view not_for_rollers =

@@ -21,8 +21,8 @@ struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";
   static constexpr std::string_view title = "drag of balls and cage in the lubricant";
   static constexpr std::string_view mechanism =
-      "Balls and cage push lubricant aside outside the contacts. Its inertia causes a drag "
-      "proportional to the square of speed, which does not depend on load or viscosity.";
+      "Balls and cage push lubricant aside outside the contacts. The inertia of the lubricant "
+      "causes a drag that grows with the square of speed and does not depend on load or viscosity.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^2";
   static constexpr std::string_view source = "form of the SKF drag moment, first term";
   static constexpr std::array<std::string_view, 4> confused_with{

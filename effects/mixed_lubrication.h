@@ -24,7 +24,7 @@ struct MixedLubrication {
   static constexpr std::string_view title = "mixed lubrication at low speed";
   static constexpr std::string_view mechanism =
       "At low speed or viscosity the film does not separate the surfaces, and the asperities "
-      "touch. This is the falling left branch of the Stribeck curve.";
+      "touch. Friction then follows the falling left branch of the Stribeck curve.";
   static constexpr std::string_view formula =
       "M = mu exp(-2.6e-8 (nu n)^1.4 d_m) 0.013 d_m^0.26 (F_r^(4/3) + 0.68 F_a^(4/3)), N mm";
   static constexpr std::string_view within_contacts =

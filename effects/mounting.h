@@ -30,11 +30,11 @@ struct OtherMounting {
   static constexpr std::string_view title =
       "spring preload instead of rigid preload, or the reverse";
   static constexpr std::string_view mechanism =
-      "With a spring or a flexible housing, the preload varies less than in rigid sets. The "
-      "displacement of the shaft is then different when the contact angles change.";
+      "With a spring or a flexible housing, the preload varies less than in rigid sets. A change "
+      "of the contact angles then moves the shaft by a different amount.";
   static constexpr std::string_view formula =
-      "the variation of the preload is reduced by the share c; if a spring is entered, it is "
-      "changed by the share c towards rigid";
+      "rigid sets: a spring in series reduces the variation of the preload by the share c; spring "
+      "sets: the mounting changes by the share c towards rigid";
   static constexpr std::string_view source = "springs in series, derived";
   static constexpr std::array<std::string_view, 4> confused_with{
       "preload_N", "shaft-contraction", "centrifugal-ring-growth", "thermal-preload"};

@@ -62,7 +62,7 @@ struct ViscositySlope {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: the viscosity of the oil in the bearing falls faster or "
       "more slowly with temperature than in the model.";
-  static constexpr std::string_view formula = "nu100 -> k nu100, nu40 unchanged";
+  static constexpr std::string_view formula = "nu100 -> k nu100; nu40 does not change";
   static constexpr std::string_view source = "definition; viscosity index of ISO 2909";
   static constexpr std::array<std::string_view, 4> confused_with{
       "temperature-offset", "temperature-gain", "churning", "cage-friction"};

@@ -49,7 +49,7 @@ struct PreloadCalibration {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("it is {:.3g} times the entered preload", values[0]);
+    return fmt::format("the true preload is {:.3g} times the entered preload", values[0]);
   }
 };
 

@@ -28,7 +28,7 @@ struct ShaftContraction {
   static constexpr std::string_view title = "shortening of the shaft with speed";
   static constexpr std::string_view mechanism =
       "Centrifugal force expands the shaft radially, so it becomes shorter (Poisson's ratio), "
-      "immediately and with the square of speed. Its end moves back from the tool.";
+      "immediately and with the square of speed. The nose then moves back, away from the tool.";
   static constexpr std::string_view formula =
       "u_read = u - c (n/10000 rpm)^2, c = L nu rho w^2 (a^2 + b^2)/(2 E)";
   static constexpr std::string_view source = "rotating hollow shaft without axial force, derived";

@@ -20,8 +20,8 @@ struct SpinFriction {
   static constexpr std::string_view title = "spinning friction of the balls";
   static constexpr std::string_view mechanism =
       "A ball that rolls on two races at different contact angles spins about the normal of one "
-      "contact. The contact ellipse slides; the power rises as speed increases the difference of "
-      "the two angles.";
+      "contact. The contact ellipse slides. The power of this sliding rises with speed, because "
+      "speed increases the difference of the two angles.";
   static constexpr std::string_view formula =
       "M = sum of (3/8) mu Q a E(k) w_s/w over the contacts";
   static constexpr std::string_view within_contacts =

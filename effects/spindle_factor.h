@@ -48,11 +48,11 @@ struct SpindleFactor {
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
-    .title = "the thermal conductance of the outer seats differs from the value of their fit",
+    .title = "the thermal conductance of the outer seats differs from the value for their fit",
     .mechanism =
-        "A gap, a cover or a wrong fit keeps the heat in the outer rings: they become hot and the "
-        "preload falls, while the housing hardly changes. Without a sensor on a ring, only the "
-        "displacement shows it.",
+        "A gap, a cover or a wrong fit keeps the heat in the outer rings: the rings become hot and "
+        "the preload falls, while the housing hardly changes. Without a sensor on a ring, only the "
+        "displacement shows this effect.",
     .formula = "G_seat -> k G_seat, of all outer seats",
     .confused_with = {"outer_conductance_W_m2K", "bearing-conductance", "preload-growth",
                       "preload_N"},
@@ -71,8 +71,9 @@ inline constexpr SpindleFactorCard<4> convection_factor{
     .id = "convection-factor",
     .title = "more or less free convection of housing and end faces",
     .mechanism =
-        "Draught, a cover or a box around the spindle changes the heat flow to the room: the long "
-        "time constant and the steady level, most clearly while it cools at standstill.",
+        "Draught, a cover or a box around the spindle changes the heat flow to the room, and with "
+        "it the long time constant and the steady temperature. The change is clearest while the "
+        "spindle cools at standstill.",
     .formula = "h -> k h, of housing and end faces",
     .confused_with = {"convection_factor", "flange-conductance", "coolant",
                       "structure-temperature"},
@@ -94,7 +95,7 @@ inline constexpr SpindleFactorCard<4> bearing_conductance{
     .mechanism =
         "The heat of the inner rings leaves through balls, oil film and lubricant. With a lower "
         "conductance, shaft and inner rings become hot, and preload and displacement rise; sensors "
-        "in the housing hardly show it.",
+        "in the housing hardly show this change.",
     .formula = "G -> k G, from inner to outer ring",
     .confused_with = {"lubricant_conductance_W_K", "seat-conductance", "preload-growth",
                       "drive-heat"},
@@ -112,8 +113,9 @@ inline constexpr SpindleFactorCard<4> flange_conductance{
     .id = "flange-conductance",
     .title = "the thermal conductance of the flange differs from the entered value",
     .mechanism =
-        "More or less heat flows through the flange into the machine: the steady level changes, "
-        "but not the time constant. Without a sensor at the flange it looks like convection.",
+        "More or less heat flows through the flange into the machine: the steady temperature "
+        "changes, but not the time constant. Without a sensor at the flange, the effect looks like "
+        "a change of convection.",
     .formula = "G_flange -> k G_flange",
     .confused_with = {"flange_conductance_W_K", "convection-factor", "structure-temperature",
                       "coolant"},

@@ -47,7 +47,7 @@ inline constexpr SpindleHeatCard<4> motor_heat{
     .id = "motor-heat",
     .title = "heat of a motor between the sets",
     .mechanism =
-        "Losses of rotor and stator heat shaft and housing between the sets, independent of the "
+        "Losses of rotor and stator heat shaft and housing between the sets, independently of the "
         "bearings.",
     .source = "constant loss moment; iron losses rise with a higher power of speed",
     .confused_with = {"drive-heat", "coolant", "lubricant-drag", "convection-factor"},
@@ -82,7 +82,7 @@ inline constexpr SpindleHeatCard<4> seal_heat{
     .title = "heat of a seal at the nose",
     .mechanism =
         "A seal lip or a touching labyrinth heats the shaft in front of the first bearing, "
-        "independent of load and preload.",
+        "independently of load and preload.",
     .source = "constant moment, as the seal moment of the SKF general catalogue (2006)",
     .confused_with = {"drive-heat", "lubricant-drag", "seal-friction", "f0"},
     .size = {.name = "heat_at_10000_rpm_W",
@@ -99,7 +99,7 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
     .title = "heat at the front bearings that is not in their friction law",
     .mechanism =
         "Seals, grease or a load that is not in the model heat both rings of the front set. These "
-        "rings become hot first; the rear bearing is as predicted.",
+        "rings become hot first; the rear bearing runs as predicted.",
     .source = "constant moment",
     .confused_with = {"seal-heat", "f0", "lubricant-drag", "preload_N"},
     .size = {.name = "heat_at_10000_rpm_W",

@@ -20,8 +20,8 @@ struct StructureTemperature {
   static constexpr std::string_view id = "structure-temperature";
   static constexpr std::string_view title = "the machine at the flange becomes warmer or colder";
   static constexpr std::string_view mechanism =
-      "Drives, coolant or the sun change the temperature of the machine over hours. The flange "
-      "follows first, even at standstill.";
+      "Drives, coolant or the sun change the temperature of the machine over hours. In the "
+      "spindle, the flange follows first, even at standstill.";
   static constexpr std::string_view formula =
       "T_machine + R (1 - exp(-t/tau)) in place of T_machine";
   static constexpr std::string_view source = "body with one time constant, definition";

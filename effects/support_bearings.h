@@ -26,8 +26,8 @@ struct SupportBearings {
   static constexpr std::string_view datum = "the tare torque of the support bearings";
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: the sensor also measures the support bearings of the "
-      "shaft. Their torque has a constant part and a part that grows with speed; it does not "
-      "depend on the load of the tested bearing.";
+      "shaft. The torque of the support bearings has a constant part and a part that grows with "
+      "speed. This torque does not depend on the load of the tested bearing.";
   static constexpr std::string_view formula = "M_read = M + c (s + (1 - s) (n/10000 rpm)^(2/3))";
   static constexpr std::string_view source = "both parts of Palmgren's moment, derived";
   static constexpr std::array<std::string_view, 4> confused_with{"torque-offset", "seal-friction",

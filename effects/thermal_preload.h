@@ -36,14 +36,14 @@ struct PreloadByOwnHeat {
 struct ThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
-      "Friction warms the inner ring and the balls more than the outer ring. In a rigid set they "
-      "cannot expand freely, and the load grows with the friction power.";
+      "Friction warms the inner ring and the balls more than the outer ring. In a rigid set, inner "
+      "ring and balls cannot expand freely, and the load grows with the friction power.";
   static constexpr std::string_view formula =
       "F_a + c P in place of F_a, P = (M1 + M0) w at the entered load";
   static constexpr std::array<std::string_view, 4> confused_with{
       "centrifugal-ring-growth", "spin-friction", "lubricant-drag", "windage"};
   static constexpr std::string_view settled_by =
-      "the torque soon after a change of speed and again when warm";
+      "the torque soon after a change of speed and again when the bearing is warm";
   static constexpr std::array parameters{Parameter{.name = "force_per_power_N_W",
                                                    .unit = "N/W",
                                                    .initial = 0.5,
@@ -71,8 +71,8 @@ struct ShaftThermalPreload : PreloadByOwnHeat {
   // The temperatures of a spindle already include this growth.
   static constexpr bool for_spindle = false;
   static constexpr std::string_view mechanism =
-      "Friction warms the inner rings and the balls more than the outer rings. They cannot expand "
-      "freely, so the preload rises with the friction power.";
+      "Friction warms the inner rings and the balls more than the outer rings. Inner rings and "
+      "balls cannot expand freely, so the preload rises with the friction power.";
   static constexpr std::string_view formula =
       "inner raceway grows by c P in radius, P = (M1 + M0) w at the preload";
   static constexpr std::array<std::string_view, 4> confused_with{

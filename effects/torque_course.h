@@ -50,7 +50,7 @@ struct TorqueCreep {
   }
 
   static std::string correction(std::span<const double> values) {
-    return fmt::format("it moves by {:+.3g} N mm per hour", values[0]);
+    return fmt::format("the zero moves by {:+.3g} N mm per hour", values[0]);
   }
 };
 

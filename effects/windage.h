@@ -22,9 +22,9 @@ struct Windage {
   static constexpr std::string_view id = "windage";
   static constexpr std::string_view title = "air friction";
   static constexpr std::string_view mechanism =
-      "Shaft, cage and balls drag air through the gaps. The flow is turbulent, and its friction "
-      "grows a little more slowly than the square of speed. On a rig with coast-downs it is the "
-      "air around the whole rotor.";
+      "Shaft, cage and balls drag air through the gaps. The flow is turbulent, and the friction of "
+      "the air grows a little more slowly than the square of speed. On a rig with coast-downs, the "
+      "effect includes the air around the whole rotor.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^1.8";
   static constexpr std::string_view source =
       "rotating cylinder in a gap, [BilgenBoulos1973]: C_f ~ Re^-0.2; c gives the size";

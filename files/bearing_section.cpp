@@ -45,14 +45,14 @@ constexpr Key keys_of_bearing[]{
      "outer diameter of the outer ring; must be above pitch diameter + ball diameter and at most "
      "twice that sum"},
     {"radial_clearance_um", between(0, 10000, "um"), 0.0,
-     "diametral clearance without load, below the distance of the groove centres; only for contact "
-     "angle 0"},
+     "diametral clearance without load; it must be below the distance of the groove centres; only "
+     "for contact angle 0"},
     {"inner_shoulder_diameter_mm", between(0.1, 5000, "mm"), unset,
-     "diameter at which the inner groove ends, between groove bottom and pitch diameter; if it is "
-     "missing, the margin of the contact ellipse is not checked"},
+     "diameter at which the inner groove ends, between groove bottom and pitch diameter; without "
+     "this key, the program does not check the distance from the contact ellipse to the shoulder"},
     {"outer_shoulder_diameter_mm", between(1, 10000, "mm"), unset,
-     "diameter at which the outer groove ends, between pitch diameter and groove bottom; if it is "
-     "missing, the margin of the contact ellipse is not checked"},
+     "diameter at which the outer groove ends, between pitch diameter and groove bottom; without "
+     "this key, the program does not check the distance from the contact ellipse to the shoulder"},
 };
 
 constexpr Key material_keys[]{

@@ -43,8 +43,8 @@ constexpr Key correction_keys[]{
     {"measurement_std_um", between(0, 1e6, "um"), "estimated from neighbouring readings",
      "standard deviation of the noise of one reading"},
     {"initial_state", one_of("rest|free"), "rest",
-     "state of the machine at the start of the record; rest: in thermal equilibrium, free: warm, "
-     "initial states are fitted"},
+     "state of the machine at the start of the record; rest: in thermal equilibrium; free: not in "
+     "equilibrium, so the initial states are fitted"},
     {"offset_um", between(-1e6, 1e6, "um"), 0.0, "constant that is added to the prediction"},
     {"sampling_s", between(1e-6, 1e6, "s"), unset,
      "sampling interval for which numerator and denominator are valid; records with another "
@@ -124,7 +124,8 @@ constexpr Key element_gain_keys[]{
     {"slope_um_W", between(-most, most, "um/W"), unset,
      "slope of the gain against the input. The name ends in the unit of the input: slope_um_W, "
      "slope_um_N ..."},
-    {"offset_um", between(-most, most, "um"), unset, "value of the straight line at input 0"},
+    {"offset_um", between(-most, most, "um"), unset,
+     "gain at input 0, with slope_um_W or a similar key"},
     {"factor", between(-most, most, "um"), unset,
      "factor in gain = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in gain = factor * x^exponent"},
@@ -135,7 +136,8 @@ constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset,
      "slope of the time constant against the input. The name ends in the unit of the input: "
      "slope_min_W, slope_min_N ..."},
-    {"offset_min", between(-most, most, "min"), unset, "value of the straight line at input 0"},
+    {"offset_min", between(-most, most, "min"), unset,
+     "time constant at input 0, with slope_min_W or a similar key"},
     {"factor", between(-most, most, "min"), unset,
      "factor in time constant = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},
@@ -160,8 +162,8 @@ constexpr Key correction_effect_keys[]{
     {"channel", a_text, unset, "name of the channel that the effect changes"},
     {"axis", a_text, unset, "axis on which the effect acts"},
     {"window", a_table, unset,
-     "{ column, points, acts_on } for the input, as in a channel; required only if the window of "
-     "the channel is different"},
+     "only for id = \"input\": { column, points, acts_on } of a position, as in a channel; the "
+     "effect acts on the input of its channel inside this window"},
 };
 constexpr Key correction_own_effect_keys[]{
     {"formula", a_text, unset, "formula of your own effect, from columns and its parameters"},
@@ -504,7 +506,8 @@ class CorrectionReader {
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
         fmt::format(
-            "channel {}: at {} = 0 the gain is 0, and the time constant is the value at this {}{}",
+            "channel {}: for {} of 0, the program uses the gain 0 and the time constant that the "
+            "law gives for this {}{}",
             c.name, c.input.is_power() ? "a power" : "an input",
             c.input.is_power() ? "power" : "input",
             c.input.is_power() ? ": the source of this law gives no value for standstill" : ""),
@@ -578,11 +581,12 @@ class CorrectionReader {
              fmt::format("channel = \"{}\": the model has no channel of this name", e.where));
     if (const toml::node* const node = s.find("window")) {
       if (!found->card().by_window)
-        s.fail("window", fmt::format("window: not possible with {}, only with input", *id));
+        s.fail("window",
+               fmt::format("window: not possible with id = \"{}\", only with id = \"input\"", *id));
       if (!e.columns.empty())
         s.fail("window",
-               "window: the effect uses the window of its channel; name the channel with channel "
-               "instead of input");
+               "window: an effect with a window acts on the input of a channel; give channel = "
+               "\"NAME\" instead of input");
       e.window = window(part_of(s, "correction.effect.window", *node, {window_keys}));
     }
     if (found->card().needs_input && e.columns.empty() && !e.window)

@@ -235,8 +235,8 @@ JoinedCorrection join_corrections(std::span<const CorrectionFile> files, const s
   if (const std::string range = trust_text(seen); !range.empty()) joined.text += "\n" + range;
   joined.text += fmt::format("\n[calibration]\nfree = [\"{}\"]\n", fmt::join(free, "\", \""));
   joined.notes.push_back(
-      record::note::limits("the trust of the joined correction is unknown: compare it with a "
-                           "record of the whole machine"));
+      record::note::limits("the trust in the joined correction is unknown: compare the correction "
+                           "with a record of the whole machine"));
   return joined;
 }
 

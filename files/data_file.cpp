@@ -245,14 +245,14 @@ class Reader {
     cells_.bad.throw_if_any();
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
-      throw text::InputError(fmt::format("{}: all {} rows are below minimum_speed_rpm = {:.6g} of "
-                                         "[rig], so no row can be used",
+      throw text::InputError(fmt::format("{}: all {} rows have a speed below minimum_speed_rpm = "
+                                         "{:.6g} of [rig], so no row can be used",
                                          table_.source, table_.rows(), minimum),
                              {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
-      notes_.push_back(record::note::left_out(
-          fmt::format("{} of {} rows below minimum_speed_rpm = {:.6g} are not used",
-                      table_.rows() - fast.size(), table_.rows(), minimum)));
+      notes_.push_back(record::note::left_out(fmt::format(
+          "{} of {} rows have a speed below minimum_speed_rpm = {:.6g} and are not used",
+          table_.rows() - fast.size(), table_.rows(), minimum)));
     return record().picked(fast);
   }
 
@@ -313,10 +313,11 @@ class Reader {
       assumed.inertia = rig::matching_inertia(*make_subject(subject_.model(), unit), unit);
       Record result = of(assumed);
       result.notes.push_back(record::note::assumed(
-          fmt::format("inertia_kgm2 = \"unknown\": {:.4g} kg m2 is assumed, which gives the mean "
-                      "torque of the unfitted model. Torques, f0, z and all sizes in N mm have an "
-                      "unknown common factor; the record determines only the shape of the curve",
-                      assumed.inertia),
+          fmt::format(
+              "inertia_kgm2 = \"unknown\": the program assumes {:.4g} kg m2, which gives the mean "
+              "torque of the unfitted model. Torques, f0, z and all sizes in N mm have an unknown "
+              "common factor; the record determines only the shape of the curve",
+              assumed.inertia),
           {.key = "inertia_kgm2"}));
       result.up_to_a_factor = true;
       return result;

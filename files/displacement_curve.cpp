@@ -134,7 +134,7 @@ std::string displacement_table_text(const shaft::DisplacementTable& table,
       "# do not use it below the first or above the last speed\n"
       "speed_rpm,axial_displacement_um,slope_um_rpm\n",
       text::printable(source), RACEWAY_VERSION,
-      table.monotone ? "monotone" : "it changes direction only where the rows change direction");
+      table.monotone ? "monotone" : "between two rows, it only rises or only falls");
   for (std::size_t i = 0; i < table.speed.size(); ++i)
     text += fmt::format("{:.12g},{:.12g},{:.12g}\n", table.speed[i] / rpm,
                         table.displacement[i] / um, table.slope[i] / (um / rpm));

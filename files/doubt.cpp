@@ -84,8 +84,8 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
       warnings.push_back(record::note::unit(doubt.text, {.file = source.name}));
     else
       questions += fmt::format(
-          "{}{}: {} If so, set the unit in [columns]: {}. If the file is right, set its unit "
-          "there, too.",
+          "{}{}: {} If so, set the unit in [columns]: {}. If the values are right as they are, set "
+          "their present unit there.",
           questions.empty() ? "" : "\n", source.name, doubt.text, answers);
   }
   if (!questions.empty()) throw text::InputError(questions, place);

@@ -35,7 +35,9 @@ const Key control_keys[]{
     {"axis", one_of("x|y|z|u|v|w|a|b|c"),
      "LETTER in displacement_LETTER_um or displacement_LETTER_urad",
      "LinuxCNC axis that the offset moves"},
-    {"plausible", a_list, "temperatures: [-40, 150]; other inputs: 10 times their largest amount",
+    {"plausible", a_list,
+     "temperatures: [-40, 150]; other inputs: up to 10 times the largest amount in "
+     "[correction.range]",
      "[lowest, highest] plausible value of an input in its unit; one pair for all temperatures, or "
      "{ COLUMN = [...] } for any input"},
     {"fastest_per_s", between(0, 1e9), usual_control.fastest_per_s.all,

@@ -26,7 +26,7 @@ const Key lubricant_keys[]{
      "temperatures by ASTM D341"},
     {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
      "kinematic viscosity at 100 C, below the viscosity at 40 C"},
-    {"supply", one_of(words_of_supply), "contact inlets as with oil-air, grease or jet",
+    {"supply", one_of(words_of_supply), "none: contact inlets as with oil-air, grease or jet",
      "lubricant supply; excludes effects that need another supply. With bath, the law contact "
      "assumes flooded contact inlets"},
 };
@@ -67,7 +67,7 @@ const Key palmgren_keys[]{
     number_of(FrictionLaw::palmgren, "y",
               "exponent of the load moment; required without the key catalogue"),
     {"f1_load", one_of(words_of_load), "P0",
-     "load in the factor f1: static equivalent load P0, or F_b, the load of the load moment"},
+     "load in the factor f1: P0 (static equivalent load), or F_b (load in the load moment)"},
 };
 const Key powers_keys[]{
     number_of(FrictionLaw::powers, "viscous_exponent",
@@ -103,8 +103,8 @@ const Key roller_law_keys[]{
     {"law", one_of(words_of_roller_law), "palmgren", "base law of friction"}};
 const Key roller_load_keys[]{
     {"f1_load", one_of(words_of_roller_load), "rollers",
-     "load in the law: the sum of the roller loads, so that a preload causes torque, or the radial "
-     "load F_r, as in the printed laws"},
+     "load in the law: rollers (sum of the roller loads, so that a preload causes torque), or F_r "
+     "(radial load, as in the printed laws)"},
 };
 const Key roller_f0 = [] {
   Key key = number_of(FrictionLaw::roller_palmgren, "f0", "factor of the viscous moment");
@@ -213,7 +213,8 @@ std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tabl
     if (!has)
       tables.note_default(
           "friction", column, "all",
-          fmt::format("{} has no such column, so its torque applies to all values", *file));
+          fmt::format("{} has no such column, so the torque of the table applies at all values",
+                      *file));
   return std::make_shared<const friction::TorqueTable>(std::move(table));
 }
 

@@ -40,16 +40,16 @@ std::string friction_lines(friction::FrictionLaw law) {
   switch (law) {
     case friction::FrictionLaw::palmgren:
       add("law", "\"palmgren\"",
-          "or \"skf\", \"contact\": raceway new --law writes their parameters");
+          "or \"skf\", \"contact\"; raceway new --law writes a model with such a law");
       add("f0", fmt::format("{}", catalogue_f0),
           "viscous torque, about 1 (oil-air, little grease) to 6 (oil jet)");
       add("z", fmt::format("{}", catalogue_z), "load torque");
       add("y", fmt::format("{}", catalogue_y), "exponent of the load torque");
-      add("f1_load", "\"P0\"", "or \"F_b\", in the factor z (P0/C0)^y of the load torque");
+      add("f1_load", "\"P0\"", "load in the factor z (P0/C0)^y of the load torque; or \"F_b\"");
       break;
     case friction::FrictionLaw::skf:
       add("law", "\"skf\"",
-          "or \"palmgren\", \"contact\": raceway new --law writes their parameters");
+          "or \"palmgren\", \"contact\"; raceway new --law writes a model with such a law");
       add("mu_bl", initial("mu_bl"), "friction coefficient of the asperity contacts, at low speed");
       add("mu_EHL", initial("mu_EHL"), "friction coefficient of a full film");
       add("K_rs", initial("K_rs"), "3e-8 oil bath or jet, 6e-8 grease or oil-air");
@@ -60,8 +60,8 @@ std::string friction_lines(friction::FrictionLaw law) {
           "parameters.\n# raceway add MODEL law:palmgren --data RIG.csv -o NEW.toml changes to "
           "this law and fits it.\n";
       add("law", "\"contact\"",
-          "sums over the balls; or \"palmgren\", \"skf\": raceway new --law writes their "
-          "parameters");
+          "sums over the balls; or \"palmgren\", \"skf\"; raceway new --law writes a model with "
+          "such a law");
       add("rolling_factor", initial("rolling_factor"),
           "factor on the rolling resistance of the oil, most of the torque at speed; known to +-40 "
           "%");

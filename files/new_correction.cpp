@@ -127,8 +127,8 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
   const std::string next =
       inputs.size() > most_channels
           ? fmt::format(
-                "{} temperatures vary, too many for a channel each. This command uses all of "
-                "them:\n# raceway identify THIS-FILE RECORD --lags auto -o FOUND.toml",
+                "{} temperatures vary, which is too many for one channel each. This command uses "
+                "all of them:\n# raceway identify THIS-FILE RECORD --lags auto -o FOUND.toml",
                 inputs.size())
           : "This command finds gains and time constants:\n# raceway identify THIS-FILE RECORD -o "
             "FOUND.toml";

@@ -35,8 +35,8 @@ constexpr Key keys_of_rollers[]{
      "number of rollers; they must fit on 98 % of the pitch circle"},
     {"roller_diameter_mm", between(0.5, 300, "mm"), is_required, "diameter of a roller"},
     {"roller_length_mm", between(0.5, 3000, "mm"), is_required,
-     "effective length of a roller without chamfers; at most 10 roller diameters, and at most the "
-     "ring width"},
+     "effective length of a roller, without the chamfers; at most 10 roller diameters, and at most "
+     "the ring width"},
     {"pitch_diameter_mm", between(1, 5000, "mm"), is_required,
      "diameter of the circle through the roller axes, above 2 roller diameters"},
     {"bore_mm", between(0, 5000, "mm"), unset,

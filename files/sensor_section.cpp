@@ -127,7 +127,10 @@ rig::TorqueSensor read_file(const Section& by, const std::string& name, NamedFil
     throw text::InputError(
         path + ": has no table [torque_sensor]; raceway calibrate-sensor CSV -o FILE writes one",
         {.file = path, .key = "torque_sensor"});
-  if (s.find("file")) s.fail("file", "file: a file that a model names cannot name another file");
+  if (s.find("file"))
+    s.fail("file",
+           "file: a model names this file, so the file cannot name another file; write the "
+           "calibration here");
   rig::TorqueSensor sensor = read_calibration(s);
   sensor.source = path;
   return sensor;

@@ -406,7 +406,7 @@ class SeriesOfFiles {
         result.notes.push_back(std::move(one));
       }
     result.notes.push_back(
-        record::note::read_as(fmt::format("{} are joined to one record of {} rows{}",
+        record::note::read_as(fmt::format("{} are joined into one record of {} rows{}",
                                           text::listed(names()), result.rows(), clock_words()),
                               {.file = result.source}));
     return in_common(std::move(result));
@@ -422,7 +422,7 @@ class SeriesOfFiles {
   [[nodiscard]] std::string clock_words() const {
     return files_.front()->clock_start()
                ? ""
-               : "; it is assumed that time_s has the same start in all files";
+               : "; the program assumes that time_s has the same start in all files";
   }
 
   /// All times count from the first row of the first file.

@@ -80,7 +80,7 @@ const Key arrangement_keys[]{
      "temperature of the inner rings; if no temperature is given, no part expands"},
     {"outer_ring_temperature_C", between(-200, 500, "C"), "mounting temperature",
      "temperature of the outer rings"},
-    {"ball_temperature_C", between(-200, 500, "C"), "mean of the two rings",
+    {"ball_temperature_C", between(-200, 500, "C"), "mean of inner and outer ring temperature",
      "temperature of the balls"},
     {"shaft_temperature_C", between(-200, 500, "C"), "inner ring temperature",
      "temperature of the shaft"},
@@ -164,8 +164,9 @@ class ShaftReader {
       const int front = static_cast<int>(s_.number("front").value_or(set_.front));
       const int rear = static_cast<int>(s_.number("rear").value_or(set_.rear));
       if (std::minmax(front, rear) != std::minmax(set_.front, set_.rear))
-        s_.fail(key, fmt::format("front = {}, rear = {}: layout = \"{}\" has {} and {}", front,
-                                 rear, set_.name, set_.front, set_.rear));
+        s_.fail(key,
+                fmt::format("front = {}, rear = {}: layout = \"{}\" has sets of {} and {} bearings",
+                            front, rear, set_.name, set_.front, set_.rear));
       if (!value) in_.note_default(key, fmt::format("{}", named));
       return value ? value : std::optional(named);
     }
@@ -267,8 +268,8 @@ class ShaftReader {
     constexpr double rounding_mm = 1e-6;
     if (const auto given = s_.number("distance_mm");
         given && std::abs(*given - apart) > rounding_mm)
-      s_.fail("distance_mm", fmt::format("distance_mm = {0:.10g} mm: the distance from {2} and {3} "
-                                         "is {1:.10g} mm; correct or remove this key",
+      s_.fail("distance_mm", fmt::format("distance_mm = {0:.10g} mm: the distance calculated from "
+                                         "{2} and {3} is {1:.10g} mm; correct or remove this key",
                                          *given, apart, front_position, rear_position));
     positions_give_distance_ = true;
     d_.distance = apart * mm;

@@ -69,7 +69,7 @@ constexpr Key shaft_segment_keys[]{
      "capacity"},
 };
 constexpr Key shaft_disk_keys[]{
-    {"position_mm", anywhere, is_required, "distance behind the nose face"},
+    {"position_mm", anywhere, is_required, "distance of the disk behind the nose face"},
     {"mass_kg", between(0, 1e5, "kg"), is_required, "mass of the disk"},
     {"diametral_inertia_kgm2", between(0, 1e5, "kg m2"), is_required,
      "moment of inertia about a diameter"},
@@ -77,7 +77,7 @@ constexpr Key shaft_disk_keys[]{
      "moment of inertia about the axis"},
 };
 constexpr Key shaft_support_keys[]{
-    {"position_mm", on_the_shaft, is_required, "distance behind the nose face"},
+    {"position_mm", on_the_shaft, is_required, "distance of the support behind the nose face"},
     {"radial_N_um", between(0, 1e6, "N/um"), is_required, "radial stiffness"},
     {"tilt_Nm_rad", between(0, 1e12, "N m/rad"), 0.0, "stiffness against tilt"},
 };
@@ -145,8 +145,8 @@ constexpr Key gap_keys[]{
      "inner diameter of an air gap between shaft and housing; without the table [gap], the gap "
      "lies between the sets"},
     {"outer_diameter_mm", between(0.1, 10000, "mm"), unset, "outer diameter of the gap"},
-    {"start_mm", on_the_shaft, unset, "distance behind the nose face"},
-    {"end_mm", on_the_shaft, unset, "distance behind the nose face"},
+    {"start_mm", on_the_shaft, unset, "distance of the start of the gap behind the nose face"},
+    {"end_mm", on_the_shaft, unset, "distance of the end of the gap behind the nose face"},
 };
 
 /// Material of a table; numbers that the table leaves out have defaults.

@@ -71,11 +71,11 @@ record::Record read_spindle_record(const Source& source, const model::Spindle& s
   record::Record record = read_series(source, spindle::measured_channels(spindle), {&record::speed},
                                       of_spindle(options));
   if (!options.columns.settings_hold && settings_change(record))
-    record.notes.push_back(
-        record::note::assumed("it is assumed that the settings of a row apply from the previous "
-                              "row to this row; set settings_hold = \"until row\" in [columns] to "
-                              "confirm this, or \"from row\" for a programme of events",
-                              {.key = "settings_hold"}));
+    record.notes.push_back(record::note::assumed(
+        "the program assumes that the settings of a row apply from the previous row to this row; "
+        "set settings_hold = \"until row\" in [columns] to confirm this, or \"from row\" for a "
+        "programme of events",
+        {.key = "settings_hold"}));
   refuse_loads(record, spindle);
   require_power(record, spindle);
   return record;

@@ -38,14 +38,14 @@ constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
                                        "from the sliding at each ring",
                                        "share of the friction heat that enters the inner ring"}};
 constexpr Key spindle_solver_keys[]{
-    {"cells", one_of("coarse|medium|fine"), "medium", "size of the cells"},
+    {"cells", one_of("coarse|medium|fine"), "medium", "size of the mesh cells"},
     {"step_s", between(0.01, 1e5, "s"), "from the error control", "longest time step"},
 };
 const Key spindle_rig_keys[]{
     {"model_floor_K", between(0, 100, "K"), usual_spindle.model_floor_temperature,
-     "model error of the temperatures; smaller residuals are tolerated"},
+     "expected error of the calculated temperatures; diagnose accepts residuals of this size"},
     {"model_floor_um", between(0, 1000, "um"), usual_spindle.model_floor_displacement / um,
-     "model error of the displacements; smaller residuals are tolerated"},
+     "expected error of the calculated displacements; diagnose accepts residuals of this size"},
 };
 
 const KeyTable tables_of_keys[]{{"bearing", spindle_bearing_keys, "spindle"},

@@ -100,8 +100,9 @@ const Key heat_keys[]{
      "front_1 or rear_1"},
     {"position_mm", anywhere, "from the place",
      "distance of the middle of the heated part behind the nose face; required for shaft and "
-     "housing"},
-    {"length_mm", between(0.1, longest_mm, "mm"), "from the place", "length of the heated part"},
+     "housing, and with length_mm"},
+    {"length_mm", between(0.1, longest_mm, "mm"), "from the place",
+     "length of the heated part; required for shaft and housing, and with position_mm"},
     {"radius_mm", between(0, 5000, "mm"), "all cells from bore to surface",
      "radius of the heated cells of shaft or housing"},
     {"shaft_share", between(0, 1), 0.5,

@@ -177,7 +177,8 @@ std::vector<LoadCase> load_cases(const text::CsvTable& table) {
 std::string read_named_load(const std::string& given, LoadCase& load) {
   const auto fail = [&](std::string_view why) -> text::InputError {
     return text::InputError(
-        fmt::format("--load-case {}: {}; such as 50W=a.csv or 6000rpm=b.csv", given, why),
+        fmt::format("--load-case {}: {}; write LOAD=FILE, such as 50W=a.csv or 6000rpm=b.csv",
+                    given, why),
         {.key = "--load-case"});
   };
   const std::size_t equals = given.find('=');

@@ -107,8 +107,9 @@ SlabFile slab_file(const SlabText& file) {
 std::string stranger(const SlabFile& a, const SlabFile& b) {
   if (a.count != b.count)
     return fmt::format("one belongs to {} slabs, the other to {}", a.count, b.count);
-  if (a.of != b.of || a.grid != b.grid) return "other speeds, loads or temperatures";
-  if (a.head != b.head) return "another model, version or columns";
+  if (a.of != b.of || a.grid != b.grid) return "they have different speeds, loads or temperatures";
+  if (a.head != b.head)
+    return "they come from different models or versions, or have different columns";
   return {};
 }
 

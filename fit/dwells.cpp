@@ -425,8 +425,8 @@ std::string Averaged::statement() const {
   std::vector<std::string_view> words;
   for (const Channel* channel : channels) words.push_back(channel->words);
   std::string text =
-      fmt::format("{} rows are {} dwell{}", rows - alone, dwells, dwells == 1 ? "" : "s");
-  if (alone > 0) text += fmt::format(" and {} rows outside of dwells", alone);
+      fmt::format("{} rows form {} dwell{}", rows - alone, dwells, dwells == 1 ? "" : "s");
+  if (alone > 0) text += fmt::format(", and {} rows are outside of dwells", alone);
   text += fmt::format(": {} of consecutive rows at equal settings are averaged",
                       fmt::join(words, ", "));
   if (split > 0)

@@ -35,7 +35,7 @@ struct Averaged {
   std::vector<const record::Channel*> channels{};
 
   [[nodiscard]] bool any() const { return dwells > 0; }
-  /// Describes the averaging: "1440 rows are 36 dwells: ...".
+  /// Describes the averaging: "1440 rows form 36 dwells: ...".
   [[nodiscard]] std::string statement() const;
 };
 

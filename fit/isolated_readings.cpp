@@ -213,7 +213,7 @@ std::string Isolated::statement() const {
                                          by.impossible == 3.0 ? "three times " : "");
   return fmt::format("{} reading{} of {} jump{} and return{}{}{} and {} not used, {} {}",
                      rows.size(), one ? "" : "s", channel->words, one ? "s" : "", one ? "s" : "",
-                     by_model    ? ", against the fitted model"
+                     by_model    ? " relative to the fitted model"
                      : by.steady ? " while the speed is steady"
                                  : "",
                      !by.steady   ? " " + beyond

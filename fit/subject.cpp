@@ -71,9 +71,9 @@ std::vector<Parameter> find_parameters(const Subject& subject,
     if (std::any_of(list.begin(), list.end(), [&](const Parameter& p) {
           return std::find(narrow.begin(), narrow.end(), p.name) != narrow.end();
         }))
-      throw std::invalid_argument(
-          fmt::format("free parameter \"{0}\" belongs to both: leave out {1}, or {0}", wide.name,
-                      fmt::join(narrow, " and ")));
+      throw std::invalid_argument(fmt::format(
+          "free parameter \"{0}\" already includes {1}: remove either {0} or {1} from the list",
+          wide.name, fmt::join(narrow, " and ")));
   }
   return list;
 }

@@ -62,7 +62,7 @@ std::string lacks_for_law(const Model& model, FrictionLaw law) {
     // An exponent that was found for one law says nothing of another.
     if (d.base_law || contains(law, d) || !refused_by_law(d, changed).empty())
       return "a model without " + std::string(d.id) +
-             ", because this effect belongs to the present base law";
+             ", because this effect is only possible with the present base law";
   }
   return {};
 }

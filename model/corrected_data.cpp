@@ -14,8 +14,9 @@ std::string oil_text(const effects::Entry& before, const effects::Entry& after) 
   std::string text;
   const auto add = [&](double entered, double corrected, int temperature) {
     if (entered == corrected) return;
-    text += fmt::format("{}{:.3g} mm2/s at {} C where {:.4g} is entered", text.empty() ? "" : ", ",
-                        corrected / mm2_per_s, temperature, entered / mm2_per_s);
+    text += fmt::format("{}{:.3g} mm2/s at {} C instead of the entered {:.4g}",
+                        text.empty() ? "" : ", ", corrected / mm2_per_s, temperature,
+                        entered / mm2_per_s);
   };
   add(before.viscosity_40C, after.viscosity_40C, 40);
   add(before.viscosity_100C, after.viscosity_100C, 100);
@@ -64,7 +65,7 @@ std::string correction_text(const Model& model, const effects::Effect& effect) {
     return fmt::format("the film is {:.2g} K {} than the recorded temperature",
                        std::abs(after.temperature - warm),
                        after.temperature > warm ? "warmer" : "colder");
-  return fmt::format("the sensor sees {:.0f} % of the rise of the film above {:.1f} C",
+  return fmt::format("the sensor shows {:.0f} % of the temperature rise of the film above {:.1f} C",
                      100.0 * effect.values.front(), celsius(before.room));
 }
 

@@ -317,7 +317,7 @@ Findings Judge::findings() const {
         fmt::format(
             "{} of {} rotating states are outside the friction table {} ({}); for them, the "
             "program uses the value at the edge. The state with the most heat is at {}{:.6g} rpm, "
-            "{:.4g} N axial, {:.4g} N radial, {:.4g} C; its value is {:.4g} N mm",
+            "{:.4g} N axial, {:.4g} N radial, {:.4g} C; there, the program uses {:.4g} N mm",
             table_.points, turning_, model_->table->file, model_->table->range(),
             table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
             at.radial_load, celsius(at.temperature), torque / N_mm));

@@ -144,7 +144,7 @@ std::string own_datum_text(const Model& model, std::string_view id, double value
   const Found found = find(id);
   const std::optional<fit::Parameter> p = parameter_of(model, found);
   if (!p) return {};
-  return fmt::format("{} {:.4g}{} where {:.4g} is entered", found.datum->words, value,
+  return fmt::format("{} {:.4g}{} instead of the entered {:.4g}", found.datum->words, value,
                      p->unit == "1" ? "" : " " + p->unit, p->start);
 }
 

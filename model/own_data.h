@@ -27,7 +27,7 @@ namespace raceway::model {
 /// Explains a datum in one sentence, for any model; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_explained(std::string_view id);
 
-/// Returns "contact angle 24.1 deg where 25 is entered"; empty if the id is not a datum.
+/// Returns "contact angle 24.1 deg instead of the entered 25"; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_text(const Model& model, std::string_view id, double value);
 
 }  // namespace raceway::model

@@ -106,8 +106,8 @@ std::string step_responses_text(const spindle::StepResponses& responses, std::st
                                 std::string_view model_text) {
   fmt::memory_buffer out;
   fmt::format_to(std::back_inserter(out),
-                 "# Step responses from rest, of {}\n# raceway {}\n"
-                 "# u = kinematic + K (1 - exp(-t/T)); K and T are for the power at the end\n",
+                 "# Step responses from rest, of {}\n# raceway {}\n# u = kinematic + K (1 - "
+                 "exp(-t/T)); K and T are for the power at the end of the step\n",
                  text::printable(source), RACEWAY_VERSION);
   if (!responses.loads.empty())
     out.append(

@@ -129,8 +129,8 @@ class RunRegression {
     for (const std::size_t i : rows) {
       if (times_[i] < last_time)
         throw std::invalid_argument(
-            fmt::format("{}, {}: time_s = {} goes back within {} (before: {})", record_.source,
-                        record_.place(i), times_[i],
+            fmt::format("{}, {}: time_s = {} goes back within {} (the row before has {})",
+                        record_.source, record_.place(i), times_[i],
                         summary_.run.empty() ? "the record" : "run " + summary_.run, last_time));
       last_time = times_[i];
       if (!(speeds_[i] > 0.0 && speeds_[i] >= rig_.minimum_speed)) {

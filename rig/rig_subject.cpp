@@ -180,12 +180,13 @@ std::string RigSubject::lacks(const std::string& id, const fit::Record& record) 
     pressure = std::fmax(pressure, std::fmax(largest.inner, largest.outer));
   }
   if (id == "mu_boundary" && film_ratio >= thick_film)
-    return fmt::format("rows with lambda < {:.0f}; the smallest lambda of these rows is {:.3g}",
+    return fmt::format("rows with lambda < {:.0f}; the smallest lambda in this record is {:.3g}",
                        thick_film, film_ratio);
   if (id == "limiting_traction" && pressure < high_pressure)
     return fmt::format(
-        "rows well above {:.1f} GPa, below which it changes the torque by less than 0.1 %; the "
-        "largest pressure of these rows is {:.3g} GPa",
+        "rows with a contact pressure well above {0:.1f} GPa (below {0:.1f} GPa, the limiting "
+        "traction changes the torque by less than 0.1 %); the largest pressure in this record is "
+        "{1:.3g} GPa",
         low_pressure / GPa, pressure / GPa);
   return {};
 }

@@ -151,7 +151,7 @@ class Calibrator {
   void require_a_sensor() const {
     if (!fit_.unscaled().allFinite())
       throw std::invalid_argument(
-          "the program cannot fit a curve to torques of this size and spread");
+          "the program cannot fit a curve to torques of this size and spread; check their unit");
     require_no_turn(fit_);
     if (higher_terms(fit_) < surely) require_no_turn(polynomial(best_));
     const double square = (signal_.array() - signal_.mean()).square().sum();
@@ -233,7 +233,7 @@ class Calibrator {
     if (pure <= floor_) {
       result_.notes.push_back(record::note::unknown(
           "readings at the same torque are equal to the last digit: their scatter is below the "
-          "resolution of the signal, so it cannot test the curve"));
+          "resolution of the signal and cannot test the curve"));
       return;
     }
     const double misfit = std::max(0.0, fit_.square - pure);

@@ -174,9 +174,10 @@ SensedTorques sensed_torques(const TorqueSensor& sensor, std::span<const double>
         {.key = "torque_sensor"}));
   } else {
     result.notes.push_back(record::note::read_as(
-        fmt::format("{}: std_Nmm of a row {} N mm, of which {} N mm comes from the calibration{}: "
-                    "this part is common to all rows, and averaging does not reduce it",
-                    from, span_text(std), span_text(common), sensor.zero ? " and zero_V" : ""),
+        fmt::format(
+            "{}: std_Nmm of a row is {} N mm, of which {} N mm comes from the calibration{}: this "
+            "part is common to all rows, and averaging does not reduce it",
+            from, span_text(std), span_text(common), sensor.zero ? " and zero_V" : ""),
         {.key = "torque_sensor"}));
   }
   if (std::string note = note_outside(sensor, signals, lines); !note.empty())

@@ -33,9 +33,10 @@ std::vector<double> torques_and_losses(const model::Model& model,
 model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                     std::string_view remedy) {
   if (!file.model.covariance)
-    throw text::InputError(fmt::format("{}: {} has no [calibration.covariance] for its values; {}",
-                                       asked_by, file.source, remedy),
-                           {.file = file.source, .key = "calibration.covariance"});
+    throw text::InputError(
+        fmt::format("{}: {} has no [calibration.covariance] that was calculated for its values; {}",
+                    asked_by, file.source, remedy),
+        {.file = file.source, .key = "calibration.covariance"});
   return model::Band(file.model);
 }
 

@@ -67,8 +67,8 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
                                 [](double v) { return !std::isfinite(v); });
   if (bad != result.predicted.end())
     messages.push_back(record::note::no_prediction(
-        fmt::format("{}: no displacement is predicted from {} on, because the power leaves the "
-                    "range of a delay element",
+        fmt::format("{}: no displacement is predicted from {} on, because the input of a delay "
+                    "element is outside its range",
                     model.displacement->name,
                     record.place(static_cast<std::size_t>(bad - result.predicted.begin())))));
   return result;
@@ -117,15 +117,16 @@ std::vector<std::string> notes_on(const correction::Model& model) {
   std::vector<std::string> notes;
   if (std::isnan(model.tolerance))
     notes.push_back(
-        fmt::format("{}: the model has no {}: a misfit of {:g} {} is assumed, and the program "
-                    "never asks for a reading",
+        fmt::format("{}: the model has no {}: the program assumes a misfit of {:g} {}, and never "
+                    "asks for a reading",
                     model.displacement->name, correction::in_unit_of(model, "tolerance_um"),
                     correction::usual_misfit / um, correction::unit_of(model)));
   if (std::isnan(model.measured_std))
-    notes.push_back(fmt::format(
-        "{}: the model has no {}: a standard deviation of {:g} {} is assumed for the readings",
-        model.displacement->name, correction::in_unit_of(model, "measurement_std_um"),
-        correction::usual_reading_std / um, correction::unit_of(model)));
+    notes.push_back(
+        fmt::format("{}: the model has no {}: the program assumes a standard deviation of {:g} {} "
+                    "for the readings",
+                    model.displacement->name, correction::in_unit_of(model, "measurement_std_um"),
+                    correction::usual_reading_std / um, correction::unit_of(model)));
   if (model.range.empty())
     notes.push_back(fmt::format(
         "{}: the model has no [correction.range]: the program does not look for missing lags",

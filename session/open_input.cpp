@@ -59,7 +59,7 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
     throw text::InputError(path +
                                ": the model has an [arrangement], but this command needs a single "
                                "bearing on a rig. For a shaft, use displacement, solve, table, "
-                               "check, compare, diagnose, add, or calibrate with data",
+                               "sensitivity, check, compare, diagnose, add, or calibrate with data",
                            {.file = path, .key = "arrangement"});
   if (accepts == Accepts::shaft) require_shaft(file);
   for (const files::NamedFile& named : file.files) messages.reads(named.path);

@@ -72,7 +72,7 @@ void Tolerance::set(const std::vector<fit::Measured>& measured, const std::strin
       take(channel, given.value * channel.factor);
     }
     if (!known)
-      refuse(item, fmt::format("{} has no measured quantity in {}; allowed: {}", source, given.unit,
+      refuse(item, fmt::format("{} predicts no quantity in {}; allowed: {}", source, given.unit,
                                allowed(measured)));
   }
 }

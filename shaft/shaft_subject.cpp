@@ -190,13 +190,15 @@ std::vector<std::string> ShaftSubject::records_needed(
         "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), for the thermal "
         "expansion");
   list.emplace_back(
-      "the same speeds up and down, each soon after a change and again when warm, to separate "
-      "effects of heat from effects of speed");
+      "the same speeds up and down, each soon after the change of speed and again when the shaft "
+      "is warm, to separate effects of heat from effects of speed");
   return add_data();
 }
 
 model::Expected ShaftSubject::expected() const {
-  const std::string rings = "the value of [arrangement] for all rows, or the mounted preload";
+  const std::string rings =
+      "the value of [arrangement] for all rows, or the mounting temperature if [arrangement] has "
+      "no value";
   model::Expected e;
   e.defaults = {
       {&record::speed, unset, ""},

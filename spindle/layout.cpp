@@ -79,11 +79,11 @@ void add_housing_piece(const Region& whole, std::span<const model::Coolant> chan
   const double middle = 0.5 * coolant->diameter, half = 0.5 * coolant->channel_depth;
   if (!(middle - half > whole.inner_radius + same_place) ||
       !(middle + half < whole.outer_radius - same_place))
-    throw std::invalid_argument(fmt::format(
-        "coolant: its channel, diameters {:.6g} to {:.6g} mm, does not lie within the wall of the "
-        "housing, {:.6g} to {:.6g} mm",
-        2e3 * (middle - half), 2e3 * (middle + half), 2e3 * whole.inner_radius,
-        2e3 * whole.outer_radius));
+    throw std::invalid_argument(
+        fmt::format("coolant: the channel (diameters {:.6g} to {:.6g} mm) does not lie within the "
+                    "wall of the housing (diameters {:.6g} to {:.6g} mm)",
+                    2e3 * (middle - half), 2e3 * (middle + half), 2e3 * whole.inner_radius,
+                    2e3 * whole.outer_radius));
   const auto outside = [&](double start, double end) {
     Region r = whole;
     r.start = start, r.end = end;

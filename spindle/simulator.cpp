@@ -194,7 +194,8 @@ struct Simulator::Parts {
     last = State{};
     if (start) {
       if (start->temperatures.size() != static_cast<std::size_t>(flow.paths().size()))
-        throw std::invalid_argument("state: it belongs to another spindle or another mesh");
+        throw std::invalid_argument(
+            "state: the saved state belongs to another spindle or another mesh");
       last = *start;
       flow.start(Eigen::Map<const Vector>(start->temperatures.data(), flow.paths().size()));
       return;

@@ -271,8 +271,9 @@ void SpindleSubject::require(const fit::Record& record) const {
                    [&](const fit::Measured& m) { return record.has(*m.channel); })) {
     std::vector<std::string_view> names;
     for (const fit::Measured& m : all) names.push_back(m.channel->name);
-    throw std::invalid_argument(fmt::format("{}: has no column that the model predicts: {}",
-                                            record.source, fmt::join(names, ", ")));
+    throw std::invalid_argument(
+        fmt::format("{}: has no column that the model predicts; the model predicts {}",
+                    record.source, fmt::join(names, ", ")));
   }
   (void)runs_of(record);
 }

@@ -120,7 +120,7 @@ void check_step(std::span<const double> time, std::span<const double> displaceme
   for (std::size_t k = 0; k < time.size(); ++k) {
     if (!std::isfinite(time[k]) || time[k] < 0.0)
       throw std::invalid_argument(
-          fmt::format("time = {:.6g} s: must be 0 s, where the step is, or later", time[k]));
+          fmt::format("time = {:.6g} s: must be 0 s (the time of the step) or later", time[k]));
     if (!std::isfinite(displacement[k]))
       throw std::invalid_argument(
           fmt::format("displacement at {:.6g} s: must be a number", time[k]));

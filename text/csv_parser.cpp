@@ -405,21 +405,23 @@ void CsvParser::refuse(const std::vector<CellSpan>& cells, const Line& line) con
 void CsvParser::add_notes() {
   std::vector<std::string>& notes = table_.notes;
   if (titles_ > 0)
-    notes.push_back(fmt::format("{} above the header (line {}) skipped", plural(titles_, "line"),
-                                table_.header_line));
+    notes.push_back(fmt::format("the program skips {} above the header (line {})",
+                                plural(titles_, "line"), table_.header_line));
   if (form_.unit_line > 0)
     notes.push_back(fmt::format("line {} is a row of units", form_.unit_line));
   if (headers_again_ > 0)
     notes.push_back(
-        fmt::format("the header occurs {} more in the file; these lines are skipped",
+        fmt::format("the header occurs {} more in the file; the program skips these lines",
                     headers_again_ == 1 ? "once" : fmt::format("{} times", headers_again_)));
   if (lines_between_ > 0)
-    notes.push_back(fmt::format("{} between the rows and the repeated header skipped",
+    notes.push_back(fmt::format("the program skips {} between the rows and the repeated header",
                                 plural(lines_between_, "line")));
   if (footer_ > 0)
-    notes.push_back(fmt::format("the text after the rows, from line {} on, is skipped", footer_));
+    notes.push_back(
+        fmt::format("the program skips the text after the rows, from line {} on", footer_));
   if (empty_rows_ > 0)
-    notes.push_back(fmt::format("{} with only empty cells skipped", plural(empty_rows_, "row")));
+    notes.push_back(
+        fmt::format("the program skips {} with only empty cells", plural(empty_rows_, "row")));
 }
 
 }  // namespace raceway::text

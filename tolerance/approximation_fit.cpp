@@ -125,7 +125,7 @@ std::string better_before(const fit::Subject& before, const Approximation& a, co
                       (read.size() > 1 ? fmt::format(" of {}", channels[c].channel->words) : ""));
   }
   if (texts.empty()) return {};
-  return fmt::format(", and before the fit it was {}: the record does not improve the model",
+  return fmt::format(", but before the fit the error was {}: the record does not improve the model",
                      verdict::joined(texts, "and"));
 }
 

@@ -222,11 +222,11 @@ class Inquiry {
     for (const record::Parameter& p : base_.stays) result_.messages.push_back(stays_note(p));
     for (const fit::Blocking& b : subject_->blockings(record_))
       if (!b.untold.empty())
-        result_.messages.push_back(record::note::plan(
-            fmt::format("{} {} only in one part of the record. The program cannot hold out this "
-                        "part, so the model is not tested after {}: record such a phase twice",
-                        fmt::join(b.untold, ", "), b.untold.size() == 1 ? "changes" : "change",
-                        b.untold.size() == 1 ? "it" : "them")));
+        result_.messages.push_back(record::note::plan(fmt::format(
+            "{} {} only in one part of the record. The program cannot hold out this part, so the "
+            "reaction of the model to {} is not tested: record such a phase twice",
+            fmt::join(b.untold, ", "), b.untold.size() == 1 ? "changes" : "change",
+            b.untold.size() == 1 ? "it" : "them")));
     for (const std::string& id : subject_->catalogue())
       if (std::string why = subject_->lacks(id, record_); !why.empty())
         result_.not_testable.push_back({id, "needs " + why});
@@ -433,7 +433,7 @@ class Inquiry {
         return false;
       result_.messages.push_back(record::note::plan(
           fmt::format("{} explains the displacement better (error {}), but no mechanism is known "
-                      "for this column. Is its sensor on the part that moves?",
+                      "for this column. Is the sensor of this column on the part that moves?",
                       column->ids().front(), error(*column))));
     }
     found_ = std::move(near);
@@ -607,8 +607,8 @@ class Inquiry {
     return effect;
   }
 
-  /// "the place of the thermometer housing: position 62 mm where 50 is entered", of every datum in
-  /// an explanation that was ranked.
+  /// "the place of the thermometer housing: position 62 mm instead of the entered 50", of every
+  /// datum in an explanation that was ranked.
   [[nodiscard]] std::vector<std::string> data_of(const Tried& t) const {
     std::vector<std::string> list;
     for (const std::string& id : t.ids())
@@ -743,14 +743,14 @@ class Inquiry {
               (best.has_column() || !t.has_column()))
             next = &t;
         return fmt::format(
-            "Consistent with {}: {}; with this explanation it is {}{}.", found_text(), base,
+            "Consistent with {}: {}; with this explanation the error is {}{}.", found_text(), base,
             error(best),
             next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");
       }
       case verdict::Verdict::ambiguous:
         return fmt::format(
-            "{}: {}; with {} it is {}. These explanations are nearly equally good, so this record "
-            "does not decide between them.",
+            "{}: {}; with {} the error is {}. These explanations are nearly equally good, so this "
+            "record does not decide between them.",
             found_text(), base, verdict::joined(found_.front()->ids(), "and"),
             error(*found_.front()));
       case verdict::Verdict::several_effects:
@@ -786,7 +786,7 @@ class Inquiry {
       text += " The error is largest from " + verdict::joined(parts, "and") + ".";
     }
     if (std::isfinite(result_.course->period))
-      text += fmt::format(" It repeats every {:.3g} min.", result_.course->period / 60);
+      text += fmt::format(" The error repeats every {:.3g} min.", result_.course->period / 60);
     return text;
   }
 

@@ -194,12 +194,13 @@ class Addition {
         errors.push_back(fmt::format("{:.4g} -> {}", c.rmse_held_out_before / c.channel().factor,
                                      reading_text(c.channel(), c.rmse_held_out_after, 4)));
       return fmt::format(
-          "not better than chance: {} on held-out rows; -2 ln L falls by {:.1f} (needed {:.1f})",
+          "not better than chance: error {} on held-out rows; -2 ln L falls by {:.1f} (needed "
+          "{:.1f})",
           joined(errors, "and"), found_.gain, needed);
     }
     if (const std::string material = immaterial(result); !material.empty()) return material;
     if (const std::string idle = idle_member(needed_each); !idle.empty())
-      return idle + " explains nothing beyond the others";
+      return idle + " explains nothing beyond the other effects";
     if (const auto rival = better_rival())
       return fmt::format(
           "{} leaves a systematic residual (p = {:.1g}), but {} explains these data down to the "

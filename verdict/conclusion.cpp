@@ -148,8 +148,9 @@ std::string Investigation::single_text() const {
                     size_text(problem_, best), best.gain, result_.needed_gain, remains_text(), next,
                     error_text(result_), shifts());
     if (named.datum.empty()) return "Consistent with " + found;
-    return fmt::format("Check {}: {}. Wrong data rather than missing physics, consistent with {}",
-                       named.datum, correction_text(problem_, best, best.members.front()), found);
+    return fmt::format(
+        "Check {}: {}. The misfit is consistent with wrong data rather than missing physics: {}",
+        named.datum, correction_text(problem_, best, best.members.front()), found);
   }
   if (result_.tolerance_limited())
     return fmt::format(
@@ -157,8 +158,8 @@ std::string Investigation::single_text() const {
         "With {}, {}.{}{}",
         joined_sets(set), id_of(best), remains_text(), data_text(set), measure_text(result_));
   return fmt::format(
-      "{}: these data do not decide which (difference of the gains {:.1f}, needed {:.0f}); one of "
-      "them is {} ({}).{}{}",
+      "{0}: one of these effects is {3} ({4}), but these data do not decide which (difference of "
+      "the gains {1:.1f}, needed {2:.0f}).{5}{6}",
       joined_sets(set), std::abs(best.gain - set[1]->gain), within_reach,
       data_text(set).empty() ? "missing" : "the cause", p_text(result_.p_value), data_text(set),
       measure_text(result_));
@@ -191,7 +192,9 @@ std::string Investigation::several_text() const {
       "Consistent with {} together, {}; gain {:.0f}, which falls by {:.0f} without the weakest "
       "effect; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
-      set.size() > 1 ? fmt::format(" {} other set(s) are equally good.", set.size() - 1) : "",
+      set.size() > 1
+          ? fmt::format(" {} other combination(s) of effects are equally good.", set.size() - 1)
+          : "",
       error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
 }
 
@@ -213,9 +216,9 @@ std::string Investigation::instead_text() const {
 std::string Investigation::base_laws_text() const {
   const Explanation& both = *finding_.set.front();
   return fmt::format(
-      "Something is missing ({}). {} together explain it ({}; {}). But the weaker effect adds a "
-      "gain of only {:.0f}, which is too little for a pair: the base law has another shape, or "
-      "another effect has a similar shape.",
+      "Something is missing ({}). {} together explain the misfit ({}; {}). But the weaker effect "
+      "adds a gain of only {:.0f}, which is too little for a pair: the base law has another shape, "
+      "or another effect has a similar shape.",
       p_text(result_.p_value), id_of(both), size_text(problem_, both), remains_text(),
       both.least_loss);
 }
@@ -230,7 +233,7 @@ std::string Investigation::bent_text() const {
   for (const record::NamedValue& e : set.front()->exponents)
     exponents.push_back(fmt::format("{} {:+.2f}", e.name, e.value));
   return fmt::format(
-      "Something is missing. It acts like {}, but with exponents that differ from the catalogue "
+      "Something is missing that acts like {}, but with exponents that differ from the catalogue "
       "({}; with the exponents of the catalogue, the fit is rejected, {}). Either this effect has "
       "another law here, or a similar effect is missing that is not in the catalogue.",
       joined_sets(set), fmt::join(exponents, ", "), p_text(pure));
@@ -247,11 +250,13 @@ std::string Investigation::unexplained_text() const {
   std::string shape;
   if (result_.shape)
     shape = fmt::format(
-        " As a power law: {} ({:.0f} % of the misfit); raceway add MODEL shape writes it.",
+        " A power law describes {1:.0f} % of the misfit: {0}; raceway add MODEL shape adds this "
+        "law.",
         result_.shape->statement, 100.0 * result_.shape->explained_share);
   std::string pairs;
   if (const auto& weak = search_->weak_pairs(); !weak.empty())
-    pairs = " Pairs that could explain it, but are not proved: " + joined(weak.front(), "and") +
+    pairs = " These pairs could explain the misfit, but are not proved: " +
+            joined(weak.front(), "and") +
             (weak.size() > 1 ? fmt::format(" and {} more.", weak.size() - 1) : ".");
   return fmt::format("Something is missing ({}) that no effect of the catalogue explains.{}{}{}",
                      p_text(result_.p_value), nearest_text(), shape, pairs);
@@ -291,7 +296,7 @@ std::string Investigation::other_bases_text() const {
   if (!result_.given_other_base) {
     std::vector<std::string> words;
     for (const OtherBaseTried& b : result_.other_bases) words.push_back(b.words);
-    return fmt::format(" {} instead of the base law does not fit better.", joined(words, "or"));
+    return fmt::format(" {} does not fit better than the base law.", joined(words, "or"));
   }
   const ChannelDiagnosis& first = result_.channels.front();
   const std::string fall = fmt::format(

@@ -88,11 +88,12 @@ Diagnosis with_data_of_each_record(Diagnosis given, const fit::Subject& subject,
   for (const record::Parameter* const p : wrong) {
     const std::size_t dot = p->name.find('.'), at = p->name.rfind('@');
     const std::string id = p->name.substr(0, dot);
-    found.messages.insert(found.messages.begin(),
-                          record::note::check_data(fmt::format(
-                              "check the oil of {}: {}; --per-record {} gives each record its own",
-                              p->name.substr(at + 1), own->correction(id, std::array{p->value}),
-                              fmt::join(own->own(), ","))));
+    found.messages.insert(
+        found.messages.begin(),
+        record::note::check_data(
+            fmt::format("check the oil of {}: {}; --per-record {} gives each record its own value",
+                        p->name.substr(at + 1), own->correction(id, std::array{p->value}),
+                        fmt::join(own->own(), ","))));
   }
   return found;
 }

@@ -57,10 +57,10 @@ void require_levels(const record::Record& record) {
   if (combinations < 2)
     throw std::invalid_argument(record.source +
                                 ": all rows are at one operating point: a verdict needs at least "
-                                "three levels of one setting, better of several");
+                                "three levels of one setting, better of several settings");
   if (most < 3)
     throw std::invalid_argument(
-        fmt::format("{}: {}: a verdict needs three levels of at least one of them", record.source,
+        fmt::format("{}: {}: a verdict needs three levels of at least one setting", record.source,
                     fmt::join(found, ", ")));
 }
 
@@ -303,8 +303,9 @@ void require_scatter(const Evidence& evidence) {
 void leave_out_shapes(Evidence& evidence) {
   for (fit::Screened& s : evidence.problem.candidates)
     if (s.candidate.parameters.size() > 1)
-      s.not_testable =
-          fmt::format("the data have too few rows for its shape; it needs {} or more", fewest_rows);
+      s.not_testable = fmt::format(
+          "the data have too few rows for the shape of this effect; {} rows or more are needed",
+          fewest_rows);
   evidence.notes.push_back(record::note::noise(
       fmt::format("{} rows are too few to estimate the noise: diagnose uses the declared standard "
                   "deviations, and tests only single effects with one parameter",
@@ -406,7 +407,8 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
                                     problem.observed.measured, starts_of(start));
   if (!evidence.base.converged)
     throw std::invalid_argument(problem.record->source +
-                                ": the fit of the model's own parameters does not converge");
+                                ": the fit of the model's own parameters does not converge; free "
+                                "fewer of them, or check units of model and data");
 }
 
 /// The noise of one channel held against what the refitted model leaves of it, and against repeats.

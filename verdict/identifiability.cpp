@@ -206,8 +206,8 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
     if (group.empty()) {
       const std::string needed = lacks(p.name);
       result.messages.push_back(record::note::not_identifiable(
-          needed.empty() ? fmt::format("the data do not depend on {}: it stays at {}", p.name,
-                                       with_unit(p.value, p.unit, 5))
+          needed.empty() ? fmt::format("the readings do not depend on {}, which stays at {}",
+                                       p.name, with_unit(p.value, p.unit, 5))
                          : not_identifiable(p, needed),
           {.key = p.name}));
       continue;
@@ -223,8 +223,8 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
 }
 
 std::string not_identifiable(const record::Parameter& held, const std::string& needed) {
-  return fmt::format("these data do not determine {}, so it stays at {}: it needs {}", held.name,
-                     with_unit(held.value, held.unit, 5), needed);
+  return fmt::format("these data do not determine {0}, which stays at {1}; {0} needs {2}",
+                     held.name, with_unit(held.value, held.unit, 5), needed);
 }
 
 void estimate_errors(const Eigen::MatrixXd& jacobian, double factor, Calibration& result) {

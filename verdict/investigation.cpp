@@ -141,8 +141,8 @@ void Investigation::tell_declared_noise() {
     const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
     if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
     result_.messages.push_back(record::note::noise(
-        fmt::format("std_{} sets the relative weights of the rows; the noise comes from a "
-                    "saturated regression, {} instead of the declared {:.3g}",
+        fmt::format("std_{} sets only the relative weights of the rows; a saturated regression "
+                    "gives a noise of {} instead of the declared {:.3g}",
                     d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
                     declared / d.channel().factor)));
   }
@@ -156,7 +156,7 @@ void Investigation::tell_of_runs() {
   if (blocks)
     result_.messages.push_back(record::note::plan(
         "the data do not show how much these blocks differ by chance, so effects that change from "
-        "block to block were not tested; measure each block twice, or mark the runs by run_id"));
+        "block to block were not tested; measure each block twice, or mark the runs with run_id"));
   const std::string nested = fit::nested_settings(*problem_.record);
   // Where levels were measured in two runs it is no plan that lacks anything.
   if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;
@@ -217,17 +217,17 @@ void Investigation::describe_base() {
   std::sort(outliers.begin(), outliers.end(),
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
-    tell(
-        record::note::rows_used(fmt::format("{} row(s) are outliers and have less weight, first {}",
-                                            outliers.size(), record_.place(outliers.front()))));
+    tell(record::note::rows_used(
+        fmt::format("{} row(s) are outliers and have less weight; the first is {}", outliers.size(),
+                    record_.place(outliers.front()))));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
     tell(record::note::rows_used(fmt::format("{} of {} rows were used, chosen at random",
                                              result_.rows, evidence_.rows_in_record)));
   if (left_out > 0)
     tell(record::note::rows_used(
-        fmt::format("{} row(s) without a reading or a prediction are not used, first {}", left_out,
-                    record_.place(result_.rows_not_predicted.front()))));
+        fmt::format("{} row(s) without a reading or a prediction are not used; the first is {}",
+                    left_out, record_.place(result_.rows_not_predicted.front()))));
   for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
     if (evidence_.base.at_bound[k])
       tell(record::note::at_bound(
@@ -240,7 +240,7 @@ void Investigation::describe_base() {
   for (const std::string& name : evidence_.idle) {
     const std::string needed = problem_.subject->lacks(name, *problem_.record);
     tell(record::note::not_identifiable("the readings do not depend on " + name +
-                                            ", which keeps its value" +
+                                            ", so this value does not change" +
                                             (needed.empty() ? "" : ": it needs " + needed),
                                         {.key = name}));
   }
@@ -255,13 +255,14 @@ void Investigation::describe_base() {
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.undeclared_blocks && !d.noise.unknown_runs)
       tell(record::note::plan(fmt::format(
-          "{}: the offset of {} changes between blocks of rows in which a setting rises or falls, "
-          "as after a new clamping; each block is a run (run_id defines other runs)",
+          "{}: blocks of rows in which a setting rises or falls have different offsets ({} rms), "
+          "as after a new clamping; each block is treated as a run (run_id defines other runs)",
           d.channel().words, reading_text(d.channel(), d.noise.run_offset()))));
     else if (d.noise.undeclared_blocks)
-      tell(record::note::plan(fmt::format(
-          "{}: the rows form blocks in which a setting rises or falls; each block is a run",
-          d.channel().words)));
+      tell(
+          record::note::plan(fmt::format("{}: the rows form blocks in which a setting rises or "
+                                         "falls; each block is treated as a run",
+                                         d.channel().words)));
   tell_of_runs();
   tell_of_records();
   tell_of_growth();
@@ -431,8 +432,9 @@ void Investigation::fill(const Set& set, const Explanation& best) {
     result_.correlation = correlation_of(best.parameters, best.fit);
     for (std::size_t k = 0; k < problem_.base.size(); ++k)
       if (best.fit.at_bound[k])
-        result_.messages.push_back(record::note::at_bound(
-            best.parameters[k].name + " ends at a bound", {.key = best.parameters[k].name}));
+        result_.messages.push_back(
+            record::note::at_bound(best.parameters[k].name + " ends at a bound of its range",
+                                   {.key = best.parameters[k].name}));
   }
   fill_verdict(set);
   fill_ranking();
@@ -677,8 +679,8 @@ void Investigation::tell_of_all_rows() {
       square_after += y * y;
     }
     result_.messages.push_back(record::note::rows_used(
-        fmt::format("on all {} rows that can be predicted, the error falls from {:.3g} to {} with "
-                    "the parameters from the rows of the fit",
+        fmt::format("on all {} rows that can be predicted, the error changes from {:.3g} to {} "
+                    "with the parameters from the rows of the fit",
                     rows, std::sqrt(square_before / rows) / channel.factor,
                     reading_text(channel, std::sqrt(square_after / rows)))));
   }

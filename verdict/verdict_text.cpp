@@ -42,8 +42,10 @@ std::string nothing_missing_text(const Diagnosis& d) {
     if (hidden.size() < 3) hidden.push_back(n.id);
   return fmt::format(
       "These data show no missing effect (p = {:.2g}, alarm level 1 %).{}{}", d.p_value,
-      found.empty() ? "" : " Would have been found: " + joined(found, "and") + ".",
-      hidden.empty() ? "" : " Could not have been found: " + joined(hidden, "and") + ", ...");
+      found.empty() ? "" : " These effects would have been found: " + joined(found, "and") + ".",
+      hidden.empty()
+          ? ""
+          : " These effects could not have been found: " + joined(hidden, "and") + ", ...");
 }
 
 std::string within_tolerance_text(const Diagnosis& d) {
@@ -98,8 +100,8 @@ std::string measure_text(const Diagnosis& d) {
   std::string text;
   if (!texts.empty())
     text = fmt::format(
-        " Measure: {}. Predicted difference of the gains: {:.0f}; if you repeat old points "
-        "instead: {:.0f}.",
+        " Measure: {}. With these points, the predicted difference of the gains is {:.0f}; with "
+        "repeated old points, it is {:.0f}.",
         fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
   if (!d.records_needed.empty())
     text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));

@@ -21,7 +21,7 @@ struct OffsetJump final : EffectKind {
                                     jump_size("size_3"), jump_time("time_3_s")};
   static constexpr EffectCard jump_card{
       .id = "offset-jump",
-      .title = "the reading jumps: a collet, a probe, a cable",
+      .title = "the reading jumps, for example because of a collet, a probe or a cable",
       .form = "+ sum of c H(t - t1), at most three jumps",
       .needs = "closely spaced readings before and after a jump",
       .confused = "kinematic-displacement, an unmeasured heat source that is switched on",

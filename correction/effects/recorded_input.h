@@ -18,11 +18,11 @@ namespace raceway::correction {
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
-      .title = "a recorded column that the model does not use moves the machine",
+      .title = "a recorded quantity that the model does not use moves the machine",
       .form =
           "+ K/(1 + tau s) u, and + K u for a position; if all temperature channels have a common "
-          "reference, it is subtracted from u; for a window of a position, + w K/(1 + tau s) u of "
-          "a channel, with w = 1 inside the window and 0 outside",
+          "reference, this reference is subtracted from u; for a window of a position, + w K/(1 + "
+          "tau s) u of a channel, with w = 1 inside the window and 0 outside",
       .needs =
           "a column that varies and that the model does not use: a temperature, power, current, "
           "load, torque, flow, pressure or position",

@@ -12,7 +12,7 @@ struct ThermalAsymmetry final : EffectKind {
   static constexpr EffectCard asymmetry_card{
       .id = "thermal-asymmetry",
       .title = "the machine cools more slowly or faster than it warms up",
-      .form = "tau is multiplied by the ratio where u < x",
+      .form = "tau is multiplied by the parameter ratio while the part cools (u < x)",
       .needs = "steps down from one speed to a lower speed above zero",
       .confused = "speed-dependent-time-constant",
       .numbers = one,

@@ -585,7 +585,7 @@ def test_files_with_clocks_of_their_own_are_one_record():
     model = raceway.Correction.read(f"{DRIFT}/model.toml")
     found = model.identify(both)
     assert found.data["rows"] == 1681
-    assert any("temperatures and probe are joined to one record" in note for note in found.notes)
+    assert any("temperatures and probe are joined into one record" in note for note in found.notes)
     assert found.data["channels"][0]["sections"][0]["gain"]["value"] == pytest.approx(5.0, abs=0.02)
     with pytest.raises(TypeError, match="a raceway.Record is wanted"):
         temperatures.beside(frame)

@@ -400,7 +400,7 @@ def test_models_that_are_no_spindle_are_refused_as_the_command_does(root, progra
 
 
 def test_a_state_of_another_spindle_is_refused(small, driven):
-    with pytest.raises(raceway.InputError, match="it belongs to another spindle or another mesh"):
+    with pytest.raises(raceway.InputError, match="the saved state belongs to another spindle or another mesh"):
         small.simulate(record(JUMP), start=driven.steady(3000))
 
 

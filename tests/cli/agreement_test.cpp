@@ -79,7 +79,8 @@ TEST(Agreement, JsonPageAndTextStateOneEstimatedNoise) {
   const double estimated = noise["estimated_rms"];
   const std::string text = run(compare).out;
   const std::string words =
-      "noise of the data: not known (no column std_um, no repeated rows); estimated ";
+      "noise of the data: not known (too few repeated rows, and no std_um in every row); "
+      "estimated ";
   const std::size_t at = text.find(words);
   ASSERT_NE(at, text.npos) << text;
   const std::string shown = text.substr(at + words.size());

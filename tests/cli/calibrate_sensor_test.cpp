@@ -124,7 +124,7 @@ TEST(TorqueSignalRecord, IsTheSameRecordAsItsRows) {
 TEST(TorqueSignalRecord, SaysWhichPartOfItsErrorIsCommonToAllRows) {
   const Rig rig;
   EXPECT_THAT(run("compare " + rig.model() + " " + signals).err,
-              HasSubstr("std_Nmm of a row 0.253 to 0.257 N mm, of which 0.0386 to 0.0601 N mm "
+              HasSubstr("std_Nmm of a row is 0.253 to 0.257 N mm, of which 0.0386 to 0.0601 N mm "
                         "comes from the calibration: this part is common to all rows"));
 }
 

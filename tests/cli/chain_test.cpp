@@ -64,7 +64,7 @@ TEST_F(Chain, AFitOfTheSumDoesNotMakeTheRestWorse) {
       replaced(text.substr(0, begin) + text.substr(end), "\"spindle.scale\", ", "");
   const Result worse = calibrated(scratch_.write("free.toml", free));
   ASSERT_EQ(worse.status, 0) << worse.err;
-  EXPECT_THAT(worse.err, HasSubstr("and before the fit it was"));
+  EXPECT_THAT(worse.err, HasSubstr("but before the fit the error was"));
 }
 
 /// Half a day at rest says nothing of a spindle.

@@ -77,7 +77,8 @@ TEST(CoastDownRecords, AnUnknownInertiaChangesSizesAndNothingElse) {
   const Result r = run("diagnose --json " + unknown + record);
   const std::string said =
       "the inertia is unknown, so all torques, f0, z and sizes in N mm have an";
-  EXPECT_THAT(r.err, testing::HasSubstr("inertia_kgm2 = \"unknown\": 0.4782 kg m2 is assumed"));
+  EXPECT_THAT(r.err,
+              testing::HasSubstr("inertia_kgm2 = \"unknown\": the program assumes 0.4782 kg m2"));
   EXPECT_THAT(r.err, testing::HasSubstr(said));
   const json a = parsed(r), b = parsed(run("diagnose --json " + flywheel + record));
   EXPECT_THAT(a["messages"].dump(), testing::HasSubstr(said));

@@ -112,8 +112,8 @@ TEST_F(CorrectionInput, PowerBeyondTheDelayElementIsSaid) {
   const std::string data = record([](int, std::string text) { return text; });
   const Result r = run("correct " + element + " " + data);
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("no displacement is predicted from line 123 on, because the power "
-                               "leaves the range of a delay element"));
+  EXPECT_THAT(r.err, HasSubstr("no displacement is predicted from line 123 on, because the input "
+                               "of a delay element is outside its range"));
   const std::string beyond =
       "channel power: 282.7 W in line 122: the power is outside the range of a delay element, "
       "whose time constant is positive only below 214.7 W";

@@ -196,7 +196,7 @@ TEST_F(Displacement, IsComparedInMicrometres) {
   const Result text = raceway("compare", data);
   EXPECT_THAT(text.out, HasSubstr("8 rows, axial displacement"));
   EXPECT_THAT(text.out, Not(HasSubstr("N mm")));
-  EXPECT_THAT(text.out, HasSubstr("no column std_um"));
+  EXPECT_THAT(text.out, HasSubstr("no std_um in every row"));
   const Result ladder =
       run("compare " + scratch_.file("my.toml") + " " + scratch_.file("my.toml") + " " + data);
   EXPECT_EQ(ladder.status, 0) << ladder.err;
@@ -223,7 +223,7 @@ TEST_F(Displacement, IsCalibratedToAndWrittenBack) {
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("held: not identifiable")) << "the preload stands in the data";
   EXPECT_THAT(r.out, HasSubstr(" um before, "));
-  EXPECT_THAT(r.err, HasSubstr("the data do not depend on preload_N: it stays at 600 N"));
+  EXPECT_THAT(r.err, HasSubstr("the readings do not depend on preload_N, which stays at 600 N"));
   const std::string text = file_text(fitted);
   EXPECT_THAT(text, HasSubstr("preload_N = 600\n"));
   EXPECT_THAT(text, Not(HasSubstr("conformity = 0.52\n")));

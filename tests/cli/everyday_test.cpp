@@ -37,7 +37,7 @@ TEST(Everyday, RowsOfALoggerAreThoseOfItsStates) {
   EXPECT_EQ(d["dwells"]["dwells"], 36);
   EXPECT_THAT(d["dwells"]["averaged"].dump(),
               AllOf(HasSubstr("friction_torque_Nmm"), HasSubstr("temperature_C")));
-  EXPECT_THAT(d["notes"].dump(), HasSubstr("1440 rows are 36 dwells"));
+  EXPECT_THAT(d["notes"].dump(), HasSubstr("1440 rows form 36 dwells"));
   // States are reproducible to 1.5 % and their means to 0.7 % more: 1.65 %, known from some 18
   // degrees of freedom to 17 %.
   EXPECT_NEAR(d["noise"]["relative"].get<double>(), 0.0165, 3 * 0.17 * 0.0165);
@@ -51,7 +51,7 @@ TEST(Everyday, RowsStayApartWhereThatIsAskedFor) {
   EXPECT_FALSE(c.contains("dwells"));
   EXPECT_THAT(kept.err, Not(HasSubstr("dwells")));
   EXPECT_THAT(run("calibrate " + files_of("logger-states")).err,
-              HasSubstr("1440 rows are 36 dwells"));
+              HasSubstr("1440 rows form 36 dwells"));
 }
 
 TEST(Everyday, ADragInTheRowsOfALoggerIsFound) {
@@ -132,7 +132,7 @@ TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
   const ScratchFolder scratch;
   const std::string model = everyday + "law-skf/model.toml", train = everyday + "law-skf/train.csv";
   EXPECT_THAT(run("diagnose --verbose " + model + " " + train).out,
-              HasSubstr("raceway add MODEL shape writes it"));
+              HasSubstr("raceway add MODEL shape adds this law"));
   const std::string better = scratch.file("shape.toml");
   const Result added = run("add " + model + " shape --data " + train + " -o " + better);
   ASSERT_EQ(added.status, 0) << added.err;

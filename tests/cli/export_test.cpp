@@ -44,7 +44,7 @@ TEST(Export, RunsAsCorrectDoes) {
   ASSERT_EQ(written.status, 0) << written.err;
   EXPECT_THAT(written.err, HasSubstr("z.py written: 1 displacement of 2 parts from 2 inputs"));
   EXPECT_THAT(written.err,
-              HasSubstr(", so the program cannot detect when this input leaves the training data"));
+              HasSubstr(", so the program cannot detect values outside the training data"));
   const auto exported = rows_of(run_shell("python3 " + program + " " + data).out);
   const auto corrected = rows_of(run("correct " + model + " " + data + " -o - --quiet").out);
   ASSERT_EQ(exported.size(), 200u);

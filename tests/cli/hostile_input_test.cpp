@@ -33,8 +33,8 @@ TEST_F(HostileInput, ATableTooLargeToCountIsRefused) {
   expect_refused(axes("0.01", "-o " + scratch_.file("t.csv")), "points: at most 1e8 in one run;");
   EXPECT_FALSE(std::filesystem::exists(scratch_.file("t.csv")));
   expect_refused(run("table " + model_ + " --speed 0:9999:0.001 --axial-load 1:100:1"),
-                 "999900100 points: at most 1e8 in one run; calculate the table in 10 slabs, "
-                 "--slab 1/10 to 10/10");
+                 "999900100 points: at most 1e8 in one run; calculate the table in 10 slabs "
+                 "with --slab 1/10 to --slab 10/10");
 }
 
 TEST_F(HostileInput, MemoryIsAskedForBeforeItIsTaken) {
@@ -43,7 +43,7 @@ TEST_F(HostileInput, MemoryIsAskedForBeforeItIsTaken) {
   expect_refused(r, "raceway table: 89991009 points need 5");
   EXPECT_THAT(r.err, HasSubstr(" GB of memory, but only "));
   EXPECT_THAT(r.err, HasSubstr(" GB are available; calculate the table in "));
-  EXPECT_THAT(r.err, HasSubstr(" slabs, --slab 1/"));
+  EXPECT_THAT(r.err, HasSubstr(" slabs with --slab 1/"));
 }
 
 TEST_F(HostileInput, ASlabOfCountlessManyIsRefusedAtOnce) {

@@ -21,8 +21,10 @@ TEST(Join, ASumInAnotherFolderFindsTheTablesOfItsParts) {
                        scratch.write("room.toml", room) + " -o " + sum);
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.err, HasSubstr("2 channels"));
-  EXPECT_THAT(r.err, HasSubstr("the trust of the joined correction is unknown: compare it with a "
-                               "record of the whole machine"));
+  EXPECT_THAT(
+      r.err,
+      HasSubstr("the trust in the joined correction is unknown: compare the correction with a "
+                "record of the whole machine"));
   EXPECT_EQ(run("check " + sum).status, 0);
   EXPECT_EQ(run("correct " + sum + " " + power_folder + "/test.csv -o -").status, 0);
   EXPECT_THAT(run("join " + sum + " " + scratch.file("room.toml") + " -o " + sum).err,

@@ -421,7 +421,7 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
   const Result checked = run("check " + record_model + " " + temperatures.file + beside);
   ASSERT_EQ(checked.status, 0) << checked.err;
   EXPECT_THAT(checked.err, HasSubstr("speed.csv and "));
-  EXPECT_THAT(checked.err, HasSubstr("are joined to one record of"));
+  EXPECT_THAT(checked.err, HasSubstr("are joined into one record of"));
   EXPECT_THAT(checked.err,
               HasSubstr("have no speed_rpm: the last value is used until the next one"));
   EXPECT_THAT(
@@ -458,7 +458,7 @@ TEST(LoggerExports, ALoggerThatBeganAnewRepeatsItsHeaderAndItsUnits) {
   const Result checked = run("check " + record_model + " " + anew.file);
   EXPECT_EQ(checked.status, 0) << checked.err;
   EXPECT_THAT(checked.err,
-              HasSubstr("the header occurs once more in the file; these lines are skipped"));
+              HasSubstr("the header occurs once more in the file; the program skips these lines"));
   expect_truth(anew.file);
 }
 

@@ -207,12 +207,13 @@ TEST_F(Slabs, AreRefusedWhereOneIsMissingTwiceStrangeOrCut) {
   EXPECT_THAT(merge_refusal(a + " " + c), HasSubstr("1 of 3 slabs are missing: the first is 2/3"));
   EXPECT_THAT(merge_refusal(a + " " + b + " " + c + " " + b), HasSubstr("slab 2/3 is given twice"));
   const std::string other = slab("2/3", "other.csv", "--speed 0:8000:1000 --axial-load 100,900");
-  EXPECT_THAT(merge_refusal(a + " " + other + " " + c),
-              HasSubstr("slabs of different tables: other speeds, loads or temperatures"));
+  EXPECT_THAT(
+      merge_refusal(a + " " + other + " " + c),
+      HasSubstr("slabs of different tables: they have different speeds, loads or temperatures"));
   const std::string model = scratch_.file("b2.csv");
   ASSERT_EQ(table(axes + " --slab 2/3 -o " + model, model_text + spin_effect).status, 0);
   EXPECT_THAT(merge_refusal(a + " " + model + " " + c),
-              HasSubstr("slabs of different tables: another model, version or columns"));
+              HasSubstr("slabs of different tables: they come from different models or versions"));
   std::string text = file_text(b);
   text.resize(text.size() - 40);
   EXPECT_THAT(merge_refusal(a + " " + scratch_.write("cut.csv", text) + " " + c),

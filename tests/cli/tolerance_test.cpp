@@ -90,8 +90,8 @@ TEST(Tolerance, ThatCannotBeIsToldInOneMessage) {
     }
   };
   const std::string allowed = "; allowed: Nmm (friction torque)";
-  refused("2um", "\"2um\": " + model + " has no measured quantity in um" + allowed);
-  refused("2Nmm,0.5K", "\"0.5K\": " + model + " has no measured quantity in K" + allowed);
+  refused("2um", "\"2um\": " + model + " predicts no quantity in um" + allowed);
+  refused("2Nmm,0.5K", "\"0.5K\": " + model + " predicts no quantity in K" + allowed);
   const std::string form = ": write a number and its unit, such as 2Nmm or 2um,0.5K";
   refused("2", "\"2\"" + form);
   refused("Nmm", "\"Nmm\"" + form);

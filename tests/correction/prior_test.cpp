@@ -116,7 +116,7 @@ TEST(Calibrate, SaysWhereTheModelWasBetterBefore) {
   turning.set(*truth.displacement, std::move(readings));
   const verdict::Calibration found = loop::calibrate(CorrectionSubject(truth), turning);
   EXPECT_THAT(found.messages,
-              Contains(Field(&record::Note::text, HasSubstr("and before the fit it was"))));
+              Contains(Field(&record::Note::text, HasSubstr("but before the fit the error was"))));
   const verdict::Calibration good = loop::calibrate(
       [] {
         Model m = room_and_law();

@@ -168,7 +168,7 @@ TEST(TransferFunction, RefusesWhatItCannotRun) {
   };
   refused({{}, {1.0}, 1.0}, "needs a numerator");
   refused({{1.0}, {2.0, 1.0}, 1.0}, "must begin with 1");
-  refused({{1.0}, {1.0, -0.9}, 0.0}, "sampling time");
+  refused({{1.0}, {1.0, -0.9}, 0.0}, "sampling interval");
   refused({{unset}, {1.0, -0.9}, 1.0}, "not finite");
 }
 

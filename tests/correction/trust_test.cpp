@@ -86,7 +86,7 @@ TEST(Trust, OnARecordIsNoBetterThanItsReadings) {
   EXPECT_EQ(trust_on(model, {.rms = 1 * um}, 12 * um, inside).level, TrustLevel::good);
   EXPECT_EQ(trust_on(model, {}, unset, inside).level, TrustLevel::good);
   EXPECT_EQ(line_of(trust_on(model, {}, unset, outside)),
-            "only inside its range: 2 of the 100 rows are outside");
+            "only inside its range: 2 of the 100 rows are outside it");
   EXPECT_EQ(line_of(trust_on(model, {.rms = 12.3 * um}, 14.7 * um, outside)),
             "do not use, because the error on this record is 12.3 um; the displacement without "
             "correction is 14.7 um");

@@ -599,7 +599,7 @@ TEST(WrongData, CorrectsWhatWasEnteredBeforeAnythingActs) {
 TEST(GyroscopicSlip, SaysThatItIsEmpirical) {
   const Description& d = *effects::find("gyroscopic-slip");
   EXPECT_NE(d.title.find("empirical"), std::string_view::npos);
-  EXPECT_NE(d.mechanism.find("does not brake it"), std::string_view::npos);
+  EXPECT_NE(d.mechanism.find("does not brake the shaft"), std::string_view::npos);
   EXPECT_NE(d.source.find("without a source"), std::string_view::npos);
 }
 
@@ -622,7 +622,7 @@ TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
   EXPECT_EQ(
       model::correction_text(fit::synthetic_model(),
                              {.description = effects::find("load-calibration"), .values = {0.8}}),
-      "axial loads are 1.25 times those of the record");
+      "the true axial loads are 1.25 times the recorded loads");
   // A preload of 900 N on springs: 900 N and 1500 N. z counts the sum of both load moments as that
   // of one bearing.
   const auto load_moment = [&](double load) {

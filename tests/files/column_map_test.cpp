@@ -84,7 +84,7 @@ time_s = "Zeit"
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.25);
   EXPECT_DOUBLE_EQ(r.value(record::axial_load, 1), 400);
   EXPECT_DOUBLE_EQ(r.value(record::time, 1), 90.5);
-  EXPECT_THAT(texts(r.notes), Contains("1 line above the header (line 3) skipped"));
+  EXPECT_THAT(texts(r.notes), Contains("the program skips 1 line above the header (line 3)"));
   EXPECT_THAT(texts(r.notes), Contains("line 4 is a row of units"));
   EXPECT_THAT(texts(r.notes),
               Contains("axial_load_N: 400 N for all rows, from [columns] of map.toml"));

@@ -101,7 +101,7 @@ TEST(CorrectionFile, AnInputMayActInAWindow) {
                       "[[correction.effect]]\nid = \"second-time-constant\"\ngain_um_K = 2\n"
                       "time_constant_s = 900\nwindow = { column = \"x_position_mm\", "
                       "points = [100, 400] }\n"),
-              refused(", only with input"));
+              refused(", only with id = \"input\""));
 }
 
 TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {

@@ -128,7 +128,7 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
   EXPECT_THAT(
       texts(read("speed_rpm,inner_ring_temperature_C,axial_displacement_um\n1000,30,2\n").notes),
       Contains("no column outer_ring_temperature_C: the value of [arrangement] for all rows, or "
-               "the mounted preload"));
+               "the mounting temperature if [arrangement] has no value"));
   const Record both = read(
       "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm,std_Nmm,axial_displacement_um\n"
       "1000,-40,10,90,1,2\n");
@@ -314,7 +314,8 @@ TEST(DataFile, ACoastDownBecomesTorqueAndSlowRowsAreCounted) {
       "run_id,time_s,speed_rpm\n" + falling("a", 60) + "a,60,30\n" + falling("b", 60, 10.0);
   const Record r = record_of(text, flywheel());
   EXPECT_THAT(r.runs, ElementsAre("a", "b"));
-  EXPECT_THAT(texts(r.notes), Contains("1 of 121 rows below minimum_speed_rpm = 40 are not used"));
+  EXPECT_THAT(texts(r.notes),
+              Contains("1 of 121 rows have a speed below minimum_speed_rpm = 40 and are not used"));
   EXPECT_THAT(texts(r.notes), Contains(HasSubstr("run a: ")));
   ASSERT_GT(r.rows(), 8u);
   EXPECT_TRUE(r.deviation_of(record::friction_torque)->known);
@@ -475,7 +476,7 @@ TEST(DataFile, TimeMustNotGoBackWithinARunOfACoastDown) {
 
 TEST(DataFile, ACoastDownBelowTheMinimumSpeedIsAnError) {
   EXPECT_THAT(data_error("time_s,speed_rpm\n0,10\n1,9\n", flywheel()),
-              HasSubstr("all 2 rows are below minimum_speed_rpm = 40"));
+              HasSubstr("all 2 rows have a speed below minimum_speed_rpm = 40"));
 }
 
 TEST(DataFile, TheFlywheelRecordIsRead) {

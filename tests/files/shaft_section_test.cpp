@@ -157,7 +157,7 @@ TEST(ShaftSection, NamesOfTheTradeSayLayoutAndNumbers) {
   // The set may stand the other way round.
   EXPECT_EQ(read("layout = \"TBT\"\nfront = 1\nrear = 2\n").bearings().size(), 3u);
   EXPECT_THAT(section_error("[arrangement]\nlayout = \"DB\"\nfront = 2\npreload_N = 600\n"),
-              HasSubstr("front = 2, rear = 1: layout = \"DB\" has 1 and 1"));
+              HasSubstr("front = 2, rear = 1: layout = \"DB\" has sets of 1 and 1"));
 }
 
 TEST(ShaftSection, WrongKeysAndValuesAreNamed) {

@@ -161,10 +161,11 @@ TEST(SpindleRecord, SettingsHoldAsTheMapSays) {
 TEST(SpindleRecord, SettingsWithoutAStatementHoldUntilTheirRowWithANote) {
   const record::Record r = read_rows("time_s,speed_rpm\n0,0\n100,6000\n");
   EXPECT_DOUBLE_EQ(spindle::profile_of(r)[1].inputs.speed, 6000 * rpm);
-  EXPECT_THAT(texts(r.notes),
-              Contains(HasSubstr("it is assumed that the settings of a row apply from the previous "
-                                 "row to this row; set settings_hold = \"until row\" in [columns] "
-                                 "to confirm this, or \"from row\" for a programme of events")));
+  EXPECT_THAT(
+      texts(r.notes),
+      Contains(HasSubstr("the program assumes that the settings of a row apply from the previous "
+                         "row to this row; set settings_hold = \"until row\" in [columns] "
+                         "to confirm this, or \"from row\" for a programme of events")));
   EXPECT_THAT(texts(read_rows("time_s,speed_rpm\n0,6000\n100,6000\n").notes),
               Not(Contains(HasSubstr("settings_hold"))));
 }

@@ -101,7 +101,7 @@ TEST(SpindleSection, DistanceMayStandBesidePositionsThatGiveIt) {
   };
   EXPECT_EQ(spindle_error(text("215")), "(no error)");
   EXPECT_THAT(spindle_error(text("200")),
-              HasSubstr("s.toml:12: distance_mm = 200 mm: the distance from"));
+              HasSubstr("s.toml:12: distance_mm = 200 mm: the distance calculated from"));
 }
 
 TEST(SpindleSection, SetsExpandAsShaftAndHousingDo) {

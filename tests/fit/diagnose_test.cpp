@@ -232,7 +232,7 @@ TEST(Diagnose, PairsWithWrongDataStandBehindTwoEffects) {
   EXPECT_THAT(
       d.sentence,
       HasSubstr("seal-friction together with wrong data would explain the misfit as well: "));
-  EXPECT_THAT(d.sentence, HasSubstr("temperature-gain (the sensor sees "));
+  EXPECT_THAT(d.sentence, HasSubstr("temperature-gain (the sensor shows "));
 }
 
 /// Where the best pair leaves more than noise a third is looked for.

@@ -72,7 +72,7 @@ TEST(Dwells, AreTheRowsOfEachState) {
   EXPECT_EQ(averaged.dwells, 36U);
   EXPECT_EQ(averaged.alone, 0U);
   ASSERT_EQ(averaged.record.rows(), 36U);
-  EXPECT_THAT(averaged.statement(), HasSubstr("1440 rows are 36 dwells"));
+  EXPECT_THAT(averaged.statement(), HasSubstr("1440 rows form 36 dwells"));
   EXPECT_THAT(averaged.statement(), HasSubstr("friction torque"));
   // Of the first: 40 rows from 0 to 39 s, the last in row 40.
   EXPECT_DOUBLE_EQ(averaged.record.value(record::time, 0), 19.5);

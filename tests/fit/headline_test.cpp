@@ -64,11 +64,11 @@ TEST(Headline, DoesNotCallWrongDataAnEffect) {
   verdict::Diagnosis d = found(verdict::Verdict::effect, {{"lubricant-viscosity"}});
   d.effects = {effect("lubricant-viscosity", "factor", 1.4, "1")};
   d.effects[0].datum = "the oil card";
-  d.effects[0].correction = "31 mm2/s at 40 C where 22 is entered";
+  d.effects[0].correction = "31 mm2/s at 40 C instead of the entered 22";
   EXPECT_EQ(
       verdict::headline(d),
-      "Wrong data rather than missing physics: check the oil card, 31 mm2/s at 40 C where 22 is "
-      "entered; error 44.9 -> 10.7 N mm");
+      "Wrong data rather than missing physics: check the oil card, 31 mm2/s at 40 C instead of "
+      "the entered 22; error 44.9 -> 10.7 N mm");
 }
 
 // A record of readings far apart: "noise nan K".

@@ -131,9 +131,10 @@ TEST(IsolatedReadings, AreToldByAModelWhereTheSpeedChanges) {
   const Isolated found =
       without_isolated_readings(record, record::axial_displacement, {}, predicted);
   EXPECT_EQ(found.rows, chips);
-  EXPECT_EQ(found.statement(),
-            "4 readings of axial displacement jump and return, against the fitted model, and are "
-            "not used, rows 32, 91, 92, 151");
+  EXPECT_EQ(
+      found.statement(),
+      "4 readings of axial displacement jump and return relative to the fitted model, and are "
+      "not used, rows 32, 91, 92, 151");
 }
 
 /// 40 states of a rig, torques of 10 to 98 N mm.

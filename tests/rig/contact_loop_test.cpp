@@ -43,8 +43,8 @@ TEST(ContactLoop, FrictionOfAsperitiesAsksForThinFilms) {
   EXPECT_FALSE(fast.parameters[0].identifiable);
   EXPECT_EQ(fast.parameters[0].value, 0.10);
   EXPECT_THAT(texts(fast.messages),
-              Contains(HasSubstr("it needs rows with lambda < 2; the smallest lambda of these rows "
-                                 "is ")));
+              Contains(HasSubstr("mu_boundary needs rows with lambda < 2; the smallest lambda in "
+                                 "this record is ")));
   const verdict::Calibration slow =
       loop::calibrate(RigSubject(model), rows({5, 10, 20, 50}, model));
   EXPECT_TRUE(slow.parameters[0].identifiable);
@@ -60,7 +60,7 @@ TEST(ContactLoop, TheLimitOfTheFilmAsksForHighPressure) {
       texts(c.messages),
       Contains(testing::AllOf(
           HasSubstr("these data do not determine limiting_traction"), HasSubstr("less than 0.1 %"),
-          HasSubstr("the largest pressure of these rows is "), HasSubstr(" GPa"))));
+          HasSubstr("the largest pressure in this record is "), HasSubstr(" GPa"))));
 }
 
 /// A tilt acts with its square: what is told from no tilt lies far beyond all that it can be.

@@ -211,7 +211,7 @@ TEST(ShaftLoop, WhatTheDataDoNotDependOnIsHeldAndSaid) {
   EXPECT_EQ(c.parameters[0].value, 600);
   EXPECT_FALSE(c.parameters[1].held);
   EXPECT_TRUE(c.parameters[2].held) << "no friction in a displacement";
-  EXPECT_THAT(texts(c.messages), Contains(HasSubstr("the data do not depend on preload_N")));
+  EXPECT_THAT(texts(c.messages), Contains(HasSubstr("the readings do not depend on preload_N")));
 }
 
 TEST(ShaftLoop, RowsWithoutBalanceAreListedAndLeftOut) {

@@ -134,7 +134,7 @@ TEST(CoolantCircuit, WithAWrongInletIsDiagnosedByNameAndPutRight) {
   EXPECT_THAT(d.headline,
               testing::StartsWith("Wrong data rather than missing physics: check the inlet "
                                   "temperature of circuit rear_jacket, inlet 29"));
-  EXPECT_THAT(d.headline, HasSubstr(" C where 25 is entered"));
+  EXPECT_THAT(d.headline, HasSubstr(" C instead of the entered 25"));
   const verdict::AddResult added =
       loop::add(subject, std::vector<std::string>{"coolant-inlet:rear_jacket"}, record);
   ASSERT_FALSE(added.refused) << added.reason;

@@ -57,7 +57,7 @@ TEST(Csv, TrailingSeparatorsAndEmptyRowsOfSpreadsheetsAreHarmless) {
   const CsvTable t = parse_csv("a,b,\n1,2,\n,,\n3,4\n", "d.csv");
   EXPECT_EQ(t.header.size(), 2u);
   EXPECT_EQ(t.rows(), 2u);
-  EXPECT_EQ(t.notes, (std::vector<std::string>{"1 row with only empty cells skipped"}));
+  EXPECT_EQ(t.notes, (std::vector<std::string>{"the program skips 1 row with only empty cells"}));
 }
 
 TEST(Csv, EmptyFilesAndFilesWithoutRowsAreErrors) {
@@ -139,9 +139,10 @@ TEST(Csv, ShapesOfOtherProgramsAreRead) {
   // A header that stands again, and words behind the rows.
   const CsvTable again = parse_csv("a,b\n1,2\na,b\n3,4\nEnd of file\nMade by a logger\n", "d.csv");
   EXPECT_EQ(again.rows(), 2u);
-  EXPECT_EQ(again.notes, (std::vector<std::string>{
-                             "the header occurs once more in the file; these lines are skipped",
-                             "the text after the rows, from line 5 on, is skipped"}));
+  EXPECT_EQ(again.notes,
+            (std::vector<std::string>{
+                "the header occurs once more in the file; the program skips these lines",
+                "the program skips the text after the rows, from line 5 on"}));
   EXPECT_EQ(error_of("a,b\n1,2\nstopped\n3,4\n"),
             "d.csv:3: this row has fewer cells than the header (line 1)");
   // Old line ends.
@@ -183,7 +184,7 @@ TEST(Csv, RowsOfStatisticsBehindTheRowsAreNoRows) {
   const CsvTable table = parse_csv("t,n\n1,600\n2,700\nMean,650\nMax,700\n", "d.csv");
   EXPECT_EQ(table.rows(), 2u);
   EXPECT_THAT(table.notes,
-              testing::Contains("the text after the rows, from line 4 on, is skipped"));
+              testing::Contains("the program skips the text after the rows, from line 4 on"));
   // Between rows it is a row, of which the reader says what is wrong.
   EXPECT_EQ(parse_csv("t,n\n1,600\nMean,650\n2,700\n", "d.csv").rows(), 3u);
 }
@@ -192,7 +193,7 @@ TEST(Csv, WordsInTheFirstCellBehindTheRowsAreNoRow) {
   const CsvTable table = parse_csv("t,n,x\n1,600,1\n2,700,2\nEnd of data,,\n", "d.csv");
   EXPECT_EQ(table.rows(), 2u);
   EXPECT_THAT(table.notes,
-              testing::Contains("the text after the rows, from line 4 on, is skipped"));
+              testing::Contains("the program skips the text after the rows, from line 4 on"));
   EXPECT_EQ(parse_csv("t,n\n1,600\nPause,\n2,700\n", "d.csv").rows(), 3u);
 }
 
@@ -205,10 +206,11 @@ TEST(Csv, AHeaderThatStandsAgainMayHaveItsUnitsBelowIt) {
       read("t;T\ns;°C\n1;20\n2;21\nstopped\nMean;20.5\nt;T\ns;C\n3;22\nt;T\n4;23\n");
   EXPECT_EQ(table.rows(), 4u);
   EXPECT_EQ(table.number(2, 1), 22);
-  EXPECT_EQ(table.notes, (std::vector<std::string>{
-                             "line 2 is a row of units",
-                             "the header occurs 2 times more in the file; these lines are skipped",
-                             "2 lines between the rows and the repeated header skipped"}));
+  EXPECT_EQ(table.notes,
+            (std::vector<std::string>{
+                "line 2 is a row of units",
+                "the header occurs 2 times more in the file; the program skips these lines",
+                "the program skips 2 lines between the rows and the repeated header"}));
   EXPECT_EQ(tests::message_of([&] { (void)read("t;T\ns;C\n1;20\nt;T\ns;F\n2;70\n"); }),
             "d.csv:5: T is in \"F\" here, but in \"C\" above; use one unit in a column");
 }

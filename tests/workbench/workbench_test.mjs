@@ -59,7 +59,7 @@ test('two candidates can be on; base laws stand in the same list; what does not 
   const { page, faults, close } = await open();
   await click(page, '#candidate-lubricant-drag');
   await click(page, '#candidate-windage');
-  assert.match(await page.textContent('.verdict .callout.doubt'), /The program refuses this effect: windage explains nothing beyond the others/);
+  assert.match(await page.textContent('.verdict .callout.doubt'), /The program refuses this effect: windage explains nothing beyond the other effects/);
   await click(page, '#force');
   assert.match(await sentence(page), /^With lubricant drag and windage/);
   await click(page, '#candidate-windage');

@@ -22,7 +22,7 @@ export interface Floor {
 }
 
 function noiseNote({ noise, source, unit, key }: Floor): string {
-  return noise === null ? `The noise of these data is not known (no column std_${key}, no repeated rows), so the picture has no noise line.` : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
+  return noise === null ? `The noise of these data is not known (too few repeated rows, and no std_${key} in every row), so the picture has no noise line.` : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
 }
 
 /// The place of the model with the least error.

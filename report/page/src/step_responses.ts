@@ -264,7 +264,7 @@ function superposition(report: StepsReport): HTMLElement | undefined {
         {
           id: 'superposition',
           title: 'Over a programme of speeds',
-          note: `Error of the simplification: ${number(s.rms_um, 3)} µm RMS, at most ${number(s.largest_um, 3)} µm (after ${number(s.time_of_largest_s / 3600, 3)} h), with a travel of ${number(s.highest_um - s.lowest_um, 3)} µm.`,
+          note: `Error of the simplification: ${number(s.rms_um, 3)} µm RMS, at most ${number(s.largest_um, 3)} µm (after ${number(s.time_of_largest_s / 3600, 3)} h); the displacement varies by ${number(s.highest_um - s.lowest_um, 3)} µm.`,
         },
         [
           {
