@@ -26,7 +26,8 @@ struct SpindleFlags : ResultFlags {
   double motor_power_W = unset;
   session::Reading reading;
 
-  /// True if the assumptions that matter most are printed; they take some fifty steady states.
+  /// True if the assumptions that matter most are printed; they take six steady states for each
+  /// assumed number.
   [[nodiscard]] bool tells_assumptions() const {
     return assumptions || (!json && output != "-") || !report.path.empty();
   }
