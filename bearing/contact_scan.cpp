@@ -20,7 +20,7 @@ constexpr std::size_t groove_places = 56;
 constexpr double farthest_in = 0.3, farthest_aside = 0.4, farthest_tilt = 0.6;
 
 // Newton's method on one ball. The result is a start, so no rounding is asked for.
-constexpr int most_scan_ball_steps = 40;
+constexpr int most_scan_ball_steps = 12;
 constexpr double scan_ball_tolerance = 1e-7;  // last step, of the distance of groove centres [1]
 constexpr double longest_ball_step = 0.2;     // of the radius of the outer groove centre's circle
 
@@ -51,6 +51,8 @@ class ContactScan {
       : system_(system),
         constants_(system.constants()),
         free_(system.free_groove_centre()),
+        thrown_(system.thrown_ball()),
+        touching_(1.0001 * constants_.inner_radius),
         distance_(constants_.inner_radius + constants_.outer_radius),
         cos_(std::cos(direction)),
         sin_(std::sin(direction)),
@@ -89,6 +91,8 @@ class ContactScan {
   /// Along the axis, along the load, and the moment across it divided by the lever [N].
   using RingForce = std::array<double, 3>;
 
+  static double length_of(Plane p) { return std::sqrt(p.axial * p.axial + p.radial * p.radial); }
+
   static double node(int i, int nodes, double low, double high) {
     return low + (high - low) * i / (nodes - 1);
   }
@@ -126,8 +130,11 @@ class ContactScan {
 
   [[nodiscard]] BallWays ways_at(Plane groove) const {
     BallWays ways;
-    for (const Start start : {Start::larger_angle, Start::smaller_angle, Start::thrown})
+    for (const Start start : {Start::larger_angle, Start::smaller_angle, Start::thrown}) {
+      // Both angles are the same there.
+      if (start == Start::smaller_angle && has_room_between(groove)) continue;
       if (const auto ball = balanced(groove, start)) ways.push_back(*ball);
+    }
     return ways;
   }
 
@@ -136,14 +143,14 @@ class ContactScan {
   [[nodiscard]] std::optional<StandingBall> balanced(Plane groove, Start start) const {
     const bool kept = start != Start::thrown;
     const InnerContact contact = kept ? InnerContact::kept : InnerContact::lost;
-    Plane x = kept ? on_both_races(groove, start) : system_.thrown_ball();
+    Plane x = kept ? on_both_races(groove, start) : thrown_;
     for (int i = 0; i < most_scan_ball_steps; ++i) {
       const BallBalance b =
           ball_balance_under<Rotation::inner_control, double>(constants_, groove, x, arm_, contact);
       const double inv = -1.0 / (b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2]);
       const Plane step{inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial),
                        inv * (b.r_x[0] * b.imbalance.radial - b.r_x[2] * b.imbalance.axial)};
-      const double length = std::hypot(step.axial, step.radial);
+      const double length = length_of(step);
       if (!std::isfinite(length)) return std::nullopt;
       if (length < scan_ball_tolerance * distance_) {
         if ((b.inner_approach > 0.0) != kept) return std::nullopt;
@@ -152,23 +159,27 @@ class ContactScan {
       const double share = std::min(1.0, longest_ball_step * constants_.outer_radius / length);
       x = {x.axial + share * step.axial, x.radial + share * step.radial};
       // The centrifugal force keeps every ball on the outer race; a step that leaves it is cut.
-      const double outer = std::hypot(x.axial, x.radial);
+      const double outer = length_of(x);
       const double least = constants_.outer_radius + 0.1 * std::max(b.outer_approach, 0.0);
       if (outer < least) x = {x.axial * least / outer, x.radial * least / outer};
     }
     return std::nullopt;
   }
 
+  /// Whether a ball on the line between the groove centres touches one race at most.
+  [[nodiscard]] bool has_room_between(Plane groove) const {
+    return length_of(groove) >= thrown_.radial + touching_;
+  }
+
   /// A ball that just touches both races: on the line between the groove centres where there is
   /// room, or else beside it. Pressed a trace into the inner race, whose stiffness without load is
   /// 0.
   [[nodiscard]] Plane on_both_races(Plane groove, Start start) const {
-    const double outer = system_.thrown_ball().radial, inner = 1.0001 * constants_.inner_radius;
-    const double length = std::hypot(groove.axial, groove.radial);
+    const double outer = thrown_.radial, length = length_of(groove);
     const Plane line{groove.axial / length, groove.radial / length};
-    double part = length * outer / (outer + inner), beside = 0.0;
-    if (length < outer + inner) {  // the corner of a triangle with sides outer, inner and length
-      part = (outer * outer - inner * inner + length * length) / (2.0 * length);
+    double part = length * outer / (outer + touching_), beside = 0.0;
+    if (!has_room_between(groove)) {  // corner of a triangle with sides outer, touching_ and length
+      part = (outer * outer - touching_ * touching_ + length * length) / (2.0 * length);
       beside = std::sqrt(std::max(outer * outer - part * part, 0.0));
       if (start == Start::smaller_angle) beside = -beside;
     }
@@ -220,19 +231,17 @@ class ContactScan {
 
   /// The set of this node, if it has not occurred nearer to balance before.
   void keep(const RingPlace& ring, double imbalance) {
-    std::vector<InnerContact> contacts;
-    RingState state;
-    for (std::size_t k = 0; k < along_.size(); ++k) {
-      const StandingBall& ball = (*ways_[k])[chosen_[k]];
-      contacts.push_back(ball.contact);
-      state.balls.push_back(ball.centre);
-    }
-    const auto [known, fresh] = nearest_.try_emplace(contacts, imbalance);
+    const auto ball = [&](std::size_t k) -> const StandingBall& { return (*ways_[k])[chosen_[k]]; };
+    contacts_.clear();
+    for (std::size_t k = 0; k < along_.size(); ++k) contacts_.push_back(ball(k).contact);
+    const auto [known, fresh] = nearest_.try_emplace(contacts_, imbalance);
     if (!fresh && imbalance > worth_a_start * known->second) return;
     known->second = imbalance;
+    RingState state;
+    for (std::size_t k = 0; k < along_.size(); ++k) state.balls.push_back(ball(k).centre);
     state.ring << ring.axial, ring.along * cos_, ring.along * sin_, -ring.tilt * sin_,
         ring.tilt * cos_;
-    sets_.push_back({std::move(contacts), std::move(state), imbalance / system_.load_scale()});
+    sets_.push_back({contacts_, std::move(state), imbalance / system_.load_scale()});
   }
 
   /// What ball k, with those like it, does to the ring.
@@ -249,6 +258,8 @@ class ContactScan {
   const RingSystem& system_;
   const BallConstantsOf<double>& constants_;
   Plane free_;       // inner groove centre with the ring in its no-load place [m]
+  Plane thrown_;     // a ball without inner contact [m]
+  double touching_;  // from the inner groove centre to a ball pressed a trace into the race [m]
   double distance_;  // of the groove centres there [m]
   double cos_, sin_, arm_ = 0.0;
   bool tilts_;
@@ -258,6 +269,7 @@ class ContactScan {
   std::vector<std::optional<BallWays>> table_;  // by axial and then by radial place of the groove
   std::vector<const BallWays*> ways_;           // of each ball at the node in hand
   std::vector<std::size_t> chosen_;             // one of these
+  std::vector<InnerContact> contacts_;          // of the chosen ones
   std::map<std::vector<InnerContact>, double> nearest_;  // least imbalance of each set so far [N]
   std::vector<ScannedSet> sets_;
 };
