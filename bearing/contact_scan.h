@@ -35,7 +35,7 @@ struct ScannedSet {
 /// Domain:   inner control at speed, two balls or more as unknowns. `direction` is the azimuth of
 ///           the load [rad]; ring positions across it are not tested.
 /// Accuracy: a set that occurs only between nodes is missed; docs/solver.md gives the frequency.
-/// Cost:     2 ms on average for the bearings of a spindle.
+/// Cost:     a few milliseconds for the bearings of a spindle, see docs/speed.md.
 [[nodiscard]] std::vector<ScannedSet> scan_contacts(const RingSystem& system, double direction);
 
 }  // namespace raceway::bearing

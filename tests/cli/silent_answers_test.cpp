@@ -222,7 +222,7 @@ TEST_F(SilentAnswers, ASetOnASoftSpringComesFreeAtNoLoad) {
   const std::string spring =
       replaced(shaft_text, "mounting = \"rigid\"", "mounting = \"spring\"\nspring_rate_N_um = 0.5");
   const Result r = command("displacement", spring, "--speed 0,1000");
-  EXPECT_THAT(r.out, HasSubstr(", the rear set at none"));
+  EXPECT_THAT(r.out, HasSubstr(", and the rear set at none"));
   EXPECT_THAT(r.out, Not(HasSubstr("-5")));
 }
 
