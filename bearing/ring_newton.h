@@ -30,8 +30,9 @@ struct NewtonProgress {
 /// A step moves the ring by at most half the distance of the groove centres. The step is halved up
 /// to six times while it raises the merit. It is shortened if it would lift a ball off the outer
 /// race. A full step may raise the merit by the factor NewtonLimits::rise, because a ball may gain
-/// or lose contact. At convergence the trial state is one step further, so its error is near the
-/// rounding error. This step is not counted.
+/// or lose contact. When a lane converges, its trial state is one Newton step beyond the accepted
+/// state. Use the trial state as the result: its error is near the rounding error. The last step is
+/// not counted.
 template <typename T>
 class RingNewton {
  public:

@@ -10,9 +10,9 @@ namespace raceway::correction {
 /// Uncertainty of a predicted displacement at every row of a record [m].
 struct Band {
   std::vector<double> of_numbers{};  ///< standard error from the fitted parameters
-  /// Standard error from the first row of each run. Temperatures are relative to that row, so the
-  /// resolution error of a sensor in it shifts all later rows of the run. The record of the fit has
-  /// a similar error, which is part of the fitted offset.
+  /// Standard error from the first row of each run. Temperatures are relative to the first row, so
+  /// an error from the resolution of a sensor in this row shifts the prediction in all later rows
+  /// of the run. The record of the fit has a similar error, which is part of the fitted offset.
   std::vector<double> of_beginning{};
   double of_what_is_left = 0.0;        ///< standard deviation of the residual
   std::vector<double> extrapolated{};  ///< extrapolated part, see extrapolated()

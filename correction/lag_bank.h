@@ -30,12 +30,12 @@ struct LagBankOptions {
 /// except for speeds. Slow lags have larger penalties, because they affect the prediction for the
 /// longest time after the record. Lags below 600 s and the instant response have the same penalty
 /// as a lag of 600 s. A speed has two inputs: n, and n (n/1000 rpm)^0.5, which rises like the
-/// friction. A speed has no instant share. The program tries seven values of λ from 0.01 to 10 and
-/// three values of s for speeds from 0.1 to 1. Each combination is fitted to six initial parts of
-/// the record (59 % to 88 % of its duration) and judged by the error on the rest of the record. The
-/// final gains are the mean over all combinations, weighted by (error)^-4. Held-out parts from the
-/// middle of the record would favour gains that are valid only within the record. The choice of a
-/// single best strength would depend mostly on chance.
+/// friction. The bank has no instant response for a speed. The program tries seven values of λ from
+/// 0.01 to 10 and three values of s for speeds from 0.1 to 1. Each combination is fitted to six
+/// initial parts of the record (59 % to 88 % of its duration) and judged by the error on the rest
+/// of the record. The final gains are the mean over all combinations, weighted by (error)^-4.
+/// Held-out parts from the middle of the record would favour gains that are valid only within the
+/// record. The choice of a single best strength would depend mostly on chance.
 ///
 /// If many sensors measure bodies whose influence on the displacement is unknown, a bank of lags
 /// usually predicts better than a few sections with fitted time constants. A few sections fit the

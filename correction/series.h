@@ -29,8 +29,8 @@ struct Answer {
   }
 };
 
-/// Returns the absolute value of a speed or feed after the exponent is applied: see
-/// Input::exponent.
+/// Returns the absolute value of a speed or feed, raised as in Input::exponent:
+/// |n| (|n|/1000 rpm)^(exponent - 1).
 [[nodiscard]] double driving_size(double value, double exponent);
 
 /// A time record prepared for the models of this folder: time steps, inputs (temperatures relative

@@ -38,7 +38,8 @@ struct TablePoint {
   std::span<double> columns;       ///< additional values, in the order of StribeckTable::columns
 };
 
-/// One of several consecutive parts of the points of a table. The default is the whole table.
+/// A block of consecutive points of a table that is divided into `count` blocks. The default is the
+/// whole table.
 struct TableSlab {
   std::size_t index = 0;  ///< from 0
   std::size_t count = 1;

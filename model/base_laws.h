@@ -14,8 +14,9 @@ namespace raceway::model {
 /// Returns the model with another base law. The law starts with the published parameters. The usual
 /// parameters of the law are free (default_free()). The parameters of effects stay free if they
 /// were free before. Settings that belong only to the contact law are replaced: traction-controlled
-/// balls become outer-race-controlled. In laws of ball bearings, Palmgren's load is then P0. The
-/// covariance of a fit is removed. All other settings are unchanged.
+/// balls become outer-race-controlled. If the new law is for ball bearings, the load in Palmgren's
+/// load moment is reset to P0 (F1Load::P0). The covariance of a fit is removed. All other settings
+/// are unchanged.
 [[nodiscard]] Model with_law(Model model, friction::FrictionLaw law);
 
 }  // namespace raceway::model

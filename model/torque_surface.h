@@ -21,8 +21,8 @@ struct TorqueLoad {
 [[nodiscard]] fit::Saturation torque_saturation(const record::Record& record, TorqueLoad load,
                                                 std::vector<TorqueLoad> further = {});
 
-/// Returns the logarithms, with a floor of a hundredth of the largest value for bearings without
-/// load or speed.
+/// Returns the natural logarithms of the absolute values. Values below a hundredth of the largest
+/// value are first raised to this limit, because a row without load or speed has no logarithm.
 [[nodiscard]] std::vector<double> logarithm(std::vector<double> values);
 
 /// Returns the channel of the temperature if the temperature varies, because its recorded values

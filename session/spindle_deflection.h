@@ -21,8 +21,8 @@ struct DeflectionQuestion {
   bool axial = false;  ///< true: the force is axial; false: it is radial
   /// axial force in addition to a radial force, positive towards the tool [N]
   double axial_force = 0.0;
-  /// moment at the place of the force [N m]; positive if it turns the shaft like a positive force
-  /// further forward
+  /// moment at the place of the force [N m]; a positive moment turns the shaft in the same
+  /// direction as a positive radial force nearer to the tool
   double moment = 0.0;
   double at = 0.0;         ///< distance of the force behind the nose face [m]
   double speed = 0.0;      ///< [rad/s]

@@ -9,7 +9,7 @@
 namespace raceway::shaft {
 
 /// Predicts the displacement of a shaft at the rows of a record, repeatedly with different
-/// parameters of one model. BalancedRows solves the rows.
+/// parameters of one model. BalancedRows finds the equilibrium of the sets at each row.
 class DisplacementRows {
  public:
   /// The record must live longer than this object. Throws std::invalid_argument like BalancedRows.

@@ -64,7 +64,8 @@ struct RankedEffect {
   /// Base parameters without the effect (start) and with the effect (value). The difference is the
   /// part of the effect that the base parameters had absorbed.
   std::vector<record::Parameter> base{};
-  /// Ids of effects or names of base parameters.
+  /// Ids of the other candidates (effects or wrong data) that change these data in nearly the same
+  /// way, or that replace this candidate in another set of the verdict.
   std::vector<std::string> indistinguishable_from{};
   /// p of the gate with this effect switched on; NaN if not tested
   double remaining_p_value = unset;

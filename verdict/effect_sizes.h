@@ -38,7 +38,8 @@ namespace raceway::verdict {
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
-/// Returns the base parameters without the explanation (start) and with the explanation (value).
+/// Returns the base parameters. `start` is the value of the fit without the explanation; `value`
+/// and `std` are from the fit with the explanation.
 [[nodiscard]] std::vector<record::Parameter> base_with(const Evidence& evidence,
                                                        const Explanation& e);
 

@@ -92,8 +92,8 @@ struct RecordedInput final : EffectKind {
             between(third, third, two_thirds, two_thirds),
             between(two_thirds, two_thirds, endless, endless)};
   }
-  /// Returns true for columns that no other effect uses. Ambient temperatures belong to
-  /// ambient-drift, and feeds and speeds have their own effects.
+  /// Returns true for all inputs except ambient temperatures (for ambient-drift), speeds, feeds and
+  /// the coolant state (which have their own effects) and applied offsets.
   static bool is_nameless(const Channel& c) {
     return !record::is_ambient(c) && !record::acts_by_amount(c) && c.kind != record::offset_kind;
   }

@@ -33,8 +33,8 @@ class Record:
     text : str
         CSV text with a header, in any format that the command accepts.
     columns : mapping of str to str, or str, optional
-        Map from names of raceway to names of the file: ``{"friction_torque_Nm": "Moment"}``, or a table
-        ``[columns]`` as text, as `Model.suggest_columns` proposes.
+        Map from raceway column names to the column names in the file, such as ``{"friction_torque_Nm": "Moment"}``; or
+        the text of a ``[columns]`` table, such as the result of `Model.suggest_columns`.
     drop_nan : bool
         True omits rows without a number in a column that the model uses.
 

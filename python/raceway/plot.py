@@ -281,7 +281,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     modes : Modes
-        Result of `Model.modes`. The document of the result contains ``rows`` with ``speed_rpm`` [rpm] and ``modes``. Each mode has ``frequency_Hz``
+        Result of `Model.modes`. Its ``data`` contains ``rows`` with ``speed_rpm`` [rpm] and ``modes``. Each mode has ``frequency_Hz``
         [Hz] and ``whirl``: backward, forward, or standing (as at standstill).
     ax : matplotlib.axes.Axes, optional
         Axes for the plot. The default is a new figure.
