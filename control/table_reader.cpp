@@ -16,6 +16,7 @@
 #include "text/csv.h"
 #include "text/error.h"
 #include "text/names.h"
+#include "text/number_text.h"
 
 namespace raceway::control {
 namespace {
@@ -24,14 +25,6 @@ struct Row {
   std::string_view of, channel, part, name, value;
   int line = 0;
 };
-
-/// A text cell as it was before it was made safe for spreadsheets.
-std::string text_of(std::string_view cell) {
-  if (cell.size() > 1 && cell.front() == '\'' &&
-      std::string_view("=+-@").find(cell[1]) != std::string_view::npos)
-    cell.remove_prefix(1);
-  return std::string(cell);
-}
 
 /// "section 2": "section" and 2; 0 where no whole number follows.
 std::pair<std::string_view, std::size_t> kind_of(std::string_view part) {
@@ -45,7 +38,8 @@ std::pair<std::string_view, std::size_t> kind_of(std::string_view part) {
   return {part.substr(0, blank), number};
 }
 
-/// The numbers in "at 3000 rpm 20 C" or "at 600 s", by their units.
+/// The numbers in "at 3000 rpm 20 C" or "at 600 s", by their units, with the digits that
+/// control_csv() writes: numbers that it would write alike are equal.
 std::vector<double> numbers_at(std::string_view name, std::string_view before,
                                const std::vector<std::string_view>& units) {
   std::vector<double> found;
@@ -56,7 +50,7 @@ std::vector<double> numbers_at(std::string_view name, std::string_view before,
     if (end == name.npos) return {};
     const text::ParsedNumber n = text::parse_number(name.substr(0, end), false);
     if (!n.problem.empty()) return {};
-    found.push_back(n.value);
+    found.push_back(text::with_15_digits(n.value));
     name.remove_prefix(end + unit.size());
   }
   return name.empty() ? found : std::vector<double>{};
@@ -163,8 +157,10 @@ class TableReader {
   bool take(const Row& r, Of& part, const std::array<TextField<Of>, count>& fields) const {
     for (const auto& f : fields) {
       if (f.name != r.name) continue;
-      part.*f.text = text_of(r.value);
-      if (!f.allowed.empty() && f.allowed.find(fmt::format(" {} ", r.value)) == f.allowed.npos)
+      part.*f.text = std::string(r.value);
+      const bool one_word = r.value.find(' ') == r.value.npos;
+      if (!f.allowed.empty() &&
+          (!one_word || f.allowed.find(fmt::format(" {} ", r.value)) == f.allowed.npos))
         fail(r, fmt::format("must be one of:{}", f.allowed.substr(0, f.allowed.size() - 1)));
       return true;
     }
@@ -206,7 +202,7 @@ class TableReader {
     } else if (kind == "element") {
       read_element(part, axis(first));
     } else if (kind == "feedthrough") {
-      ControlFeedthrough f{.channel = text_of(first.channel)};
+      ControlFeedthrough f{.channel = std::string(first.channel)};
       read_driven(part, f, feedthrough_numbers);
       axis(first).feedthroughs.push_back(f);
     } else if (kind == "equation") {
@@ -239,11 +235,10 @@ class TableReader {
   }
 
   void read_check(const Part& part) {
-    std::map<double, std::size_t> known;
     for (const Row& r : part) {
       const std::vector<double> at = numbers_at(r.name, "at ", {" s"});
       if (at.empty()) fail(r, "must have a name such as \"at 600 s\"");
-      const auto [found, fresh] = known.emplace(at.front(), plan_.check.rows.size());
+      const auto [found, fresh] = check_rows_.emplace(at.front(), plan_.check.rows.size());
       if (fresh)
         plan_.check.rows.push_back({at.front(), std::vector<double>(plan_.inputs.size(), unset),
                                     std::vector<double>(plan_.axes.size(), unset)});
@@ -340,7 +335,7 @@ class TableReader {
           fail(r, "must be input or displacement");
         d.window_of_drive = r.value == "input";
       } else if (r.name == "friction_table") {
-        t.file = text_of(r.value);
+        t.file = std::string(r.value);
       } else if (r.name == "axial_load") {
         t.axial_load_N = {number(r)};
       } else if (const auto at = torque_point(r.name, d); !at.empty()) {
@@ -401,7 +396,7 @@ class TableReader {
   }
 
   void read_section(const Part& part, ControlAxis& a) {
-    ControlSection s{.channel = text_of(part.front().channel)};
+    ControlSection s{.channel = std::string(part.front().channel)};
     for (const Row& r : read_driven(part, s, section_numbers)) {
       if (r.name != "course") fail_unknown(r);
       if (r.value != "straight" && r.value != "held") fail(r, "must be straight or held");
@@ -411,7 +406,7 @@ class TableReader {
   }
 
   void read_element(const Part& part, ControlAxis& a) {
-    ControlElement e{.channel = text_of(part.front().channel)};
+    ControlElement e{.channel = std::string(part.front().channel)};
     const Part others = read_driven(part, e, element_numbers);
     const ControlDrive& d = plan_.drives.back();
     if (d.kind != ControlDrive::Kind::power && d.kind != ControlDrive::Kind::size)
@@ -424,7 +419,7 @@ class TableReader {
   }
 
   void read_equation(const Part& part, ControlAxis& a) {
-    ControlEquation e{.channel = text_of(part.front().channel)};
+    ControlEquation e{.channel = std::string(part.front().channel)};
     e.denominator = {1.0};
     for (const Row& r : read_driven(part, e, equation_numbers)) {
       const auto [name, place] = kind_of(r.name);
@@ -510,6 +505,7 @@ class TableReader {
   std::string source_;
   std::vector<Row> rows_;
   ControlPlan plan_;
+  std::map<double, std::size_t> check_rows_;  // by their time [s]
 };
 
 }  // namespace

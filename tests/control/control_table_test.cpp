@@ -75,6 +75,31 @@ TEST(ControlTableText, TakesNumbersThatWereChanged) {
   EXPECT_EQ(read_control_table(table, "table.csv").axes[0].sections[1].time_constant_s, 850);
 }
 
+TEST(ControlTableText, KeepsNamesWithApostrophesBeforeASign) {
+  for (const std::string name : {"=spindle", "'=spindle", "''-spindle", "'spindle"}) {
+    Case c(with_keys);
+    c.plan.axes[0].sections[0].channel = name;
+    const ControlPlan read = read_control_table(control_csv(c.plan), "table.csv");
+    EXPECT_EQ(read.axes[0].sections[0].channel, name);
+    EXPECT_EQ(control_csv(read), control_csv(c.plan));
+  }
+}
+
+TEST(ControlTableText, HasOneRowOfTheCheckPerTime) {
+  Case c(with_keys);
+  c.plan.check = made_up_check(c.plan, c.file.models);
+  c.plan.check.rows.resize(1);
+  const std::string table = control_csv(c.plan);
+  const std::string rows = table.substr(table.find(",,check,") - c.plan.inputs[0].column.size());
+  ASSERT_THAT(rows, HasSubstr("at 0 s"));
+  std::string other_digits = rows;
+  for (std::size_t at = 0; (at = other_digits.find("at 0 s", at)) != other_digits.npos;)
+    other_digits.replace(at, 6, "at -0 s");
+  const ControlPlan read = read_control_table(
+      table + c.plan.inputs[0].column + ",,input,stuck,60,s\n" + rows + other_digits, "table.csv");
+  EXPECT_EQ(read.check.rows.size(), 1u);
+}
+
 TEST(ControlTableText, RefusesInOneMessage) {
   const Case c(with_keys);
   const std::string table = control_csv(c.plan);
