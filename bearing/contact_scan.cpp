@@ -131,8 +131,8 @@ class ContactScan {
   [[nodiscard]] BallWays ways_at(Plane groove) const {
     BallWays ways;
     for (const Start start : {Start::larger_angle, Start::smaller_angle, Start::thrown}) {
-      // Both angles are the same there.
-      if (start == Start::smaller_angle && has_room_between(groove)) continue;
+      // Both starts are the same there.
+      if (start == Start::smaller_angle && presses_on_both(groove)) continue;
       if (const auto ball = balanced(groove, start)) ways.push_back(*ball);
     }
     return ways;
@@ -166,19 +166,19 @@ class ContactScan {
     return std::nullopt;
   }
 
-  /// Whether a ball on the line between the groove centres touches one race at most.
-  [[nodiscard]] bool has_room_between(Plane groove) const {
+  /// True if a ball on the line between the groove centres is pressed on both races.
+  [[nodiscard]] bool presses_on_both(Plane groove) const {
     return length_of(groove) >= thrown_.radial + touching_;
   }
 
-  /// A ball that just touches both races: on the line between the groove centres where there is
-  /// room, or else beside it. Pressed a trace into the inner race, whose stiffness without load is
-  /// 0.
+  /// Centre of a ball on both races. If the ball is pressed on the line between the groove centres,
+  /// the centre is on this line; otherwise the ball just touches both races beside the line, and is
+  /// pressed slightly into the inner race, which has no stiffness without load.
   [[nodiscard]] Plane on_both_races(Plane groove, Start start) const {
     const double outer = thrown_.radial, length = length_of(groove);
     const Plane line{groove.axial / length, groove.radial / length};
     double part = length * outer / (outer + touching_), beside = 0.0;
-    if (!has_room_between(groove)) {  // corner of a triangle with sides outer, touching_ and length
+    if (!presses_on_both(groove)) {  // corner of a triangle with sides outer, touching_ and length
       part = (outer * outer - touching_ * touching_ + length * length) / (2.0 * length);
       beside = std::sqrt(std::max(outer * outer - part * part, 0.0));
       if (start == Start::smaller_angle) beside = -beside;

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "fit/detail/noise_search.h"
 
@@ -77,7 +78,7 @@ void NoiseSearch::find_memory() {
     const bool free = options_.absolute && !declared_;
     if (free) {
       noise_.correlation = 0.0;
-      noise_.run_share = unknown_runs;
+      noise_.run_share = unknown_runs * (1.0 - noise_.state_share);
       find_shares();
     }
     for (int round = 0; round < 2; ++round) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "fit/distributions.h"
 #include "fit/smooth_columns.h"
@@ -152,9 +153,9 @@ std::vector<const fit::Screened*> Attribution::screened(
   return on;
 }
 
-/// The initial values; then about the size that the scores ask for, with shapes near the bound that
-/// is far from their initial values, halfway, and near the other bound. Some shapes, such as the
-/// mounting of a pair, have a hollow at each bound.
+/// The initial values; then three starts about the size that the scores ask for. Their shapes are
+/// near the bound that is farther from the initial value, halfway, and near the other bound: the
+/// misfit can have a minimum near each bound, as for the mounting of a pair.
 std::vector<Eigen::VectorXd> Attribution::starts(std::span<const fit::Screened* const> on,
                                                  const fit::Response& response) const {
   const auto bases = static_cast<Eigen::Index>(problem_.base.size());
@@ -177,10 +178,10 @@ std::vector<Eigen::VectorXd> Attribution::starts(std::span<const fit::Screened* 
         if (k == s->candidate.size)
           x[at] = p.neutral + s->unit_size * std::clamp(times * amount, -3.0, 3.0);
         else if (std::isfinite(p.upper - p.lower))
-          x[at] = p.start - p.lower > p.upper - p.start ? p.lower + part * (p.upper - p.lower)
-                                                        : p.upper - part * (p.upper - p.lower);
+          x[at] = std::lerp(p.lower, p.upper,
+                            p.start - p.lower > p.upper - p.start ? part : 1.0 - part);
         x[at] = std::clamp(x[at], p.lower, p.upper);
-        // At the size of no effect, which a bound may ask for, shapes change nothing.
+        // At its neutral size an effect adds nothing, and its shapes would have no gradient.
         if (k == s->candidate.size && x[at] == p.neutral)
           x[at] = std::clamp(times * p.start, p.lower, p.upper);
       }

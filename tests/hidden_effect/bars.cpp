@@ -492,7 +492,7 @@ std::vector<Carried> carried(const std::vector<Outcome>& judged) {
     }
     add(kind, "something missing", {o.alarm(), wrong}, {oracle.detects(), misnames});
     if (oracle.learned_detection)
-      add(kind, "the same, any candidate, offsets of runs unknown", {o.alarm(), wrong},
+      add(kind, "any candidate, run offsets unknown", {o.alarm(), wrong},
           {*oracle.learned_detection > oracle.learned_from, misnames});
     // The verdict may be the one with another base law.
     const bool with_other_law =

@@ -30,11 +30,10 @@ struct OracleAnswer {
   double detected_from = 0.0;  ///< gain over the base law that chance exceeds in 1 %
   double detection = 0.0;      ///< lead of the truth over the base law
   double needed = 0.0;         ///< gain that admits a name, as in the diagnosis
-  /// For a wrong datum and noise with offsets of runs: the same two where the observer does not
-  /// know the size of the offsets and learns it from the record. The limit is that of Student's
-  /// law, for as many candidates as the diagnosis tries.
-  /// Nothing hidden, but zeros that are set before each run: the gain and limit of the best single
-  /// cause where the observer does not know their scatter.
+  /// Gain and limit of an observer who does not know the size of the run offsets and learns it from
+  /// the record. For a wrong datum: gain of the datum, with the limit of Student's distribution for
+  /// as many candidates as the diagnosis tries. For zeros that are set before each run, with nothing
+  /// hidden: gain of the best single cause.
   std::optional<double> learned_detection;
   double learned_from = 0.0;
   bool something = false;  ///< a cause is hidden
