@@ -235,6 +235,20 @@ TEST(Diagnose, PairsWithWrongDataStandBehindTwoEffects) {
   EXPECT_THAT(d.sentence, HasSubstr("temperature-gain (the sensor shows "));
 }
 
+/// The misfit of a pair has a minimum on springs and another one for a rigid pair.
+TEST(Diagnose, FindsAPreloadOfAPairOnSpringsAndOfARigidPair) {
+  Model believed = belief();
+  believed.rig.bearings = 2;
+  for (const double mounting : {0.0, 1.0, 2.0}) {
+    SCOPED_TRACE(mounting);
+    Model truth = with_effect("set-preload", {900.0, mounting});
+    truth.rig.bearings = 2;
+    const verdict::Diagnosis d = diagnose(believed, measured(truth, 3));
+    EXPECT_NE(d.verdict, verdict::Verdict::not_in_catalogue) << d.sentence;
+    EXPECT_THAT(named(d), testing::Contains("set-preload")) << d.sentence;
+  }
+}
+
 /// Where the best pair leaves more than noise a third is looked for.
 TEST(Diagnose, NamesThreeEffectsAtOnce) {
   Model truth = with_effect("spin-friction", {0.04});
