@@ -105,11 +105,14 @@ std::size_t line_count(std::string_view text) {
 }
 
 /// The sentence without its advice on what to measure and to record, cut at a full stop so that it
-/// takes at most `most` lines.
+/// takes at most `most` lines. A power law gives way to another base law that fits better.
 std::string short_sentence(const verdict::Diagnosis& d, std::size_t most) {
   std::string sentence = d.sentence;
   for (const char* advice : {" Measure: ", " Record: "})
     sentence.resize(std::min(sentence.find(advice), sentence.size()));
+  if (const std::size_t shape = sentence.find(" A power law describes ");
+      d.given_other_base && shape != sentence.npos)
+    sentence.erase(shape, sentence.find(". ", shape) + 1 - shape);
   while (!sentence.empty() && line_count(lines_of(sentence)) > most) {
     const std::size_t stop = sentence.rfind(". ", sentence.size() - 2);
     sentence.resize(stop == sentence.npos ? 0 : stop + 1);
