@@ -141,6 +141,7 @@ Keys keys_of_law(FrictionLaw law) {
     case FrictionLaw::table:
       return {table_law_keys};
     case FrictionLaw::powers:
+    case FrictionLaw::contact_powers:
       return {palmgren_keys, powers_keys};
     case FrictionLaw::roller_palmgren:
       return {roller_palmgren_keys};
@@ -246,7 +247,7 @@ std::vector<KeyTable> friction_tables() {
         std::pair(FrictionLaw::contact, "law contact"), std::pair(FrictionLaw::table, "law table")})
     for (const std::span<const Key> keys : keys_of_law(law))
       tables.push_back({"friction", keys, only});
-  tables.push_back({"friction", powers_keys, "law powers"});
+  tables.push_back({"friction", powers_keys, "laws powers and contact-powers"});
   tables.push_back({"friction", roller_law_keys, "cylindrical rollers"});
   tables.push_back({"friction", roller_load_keys, "cylindrical rollers"});
   tables.push_back({"friction", roller_palmgren_keys, "cylindrical rollers, law palmgren"});

@@ -76,6 +76,7 @@ std::string friction_lines(friction::FrictionLaw law) {
       break;
     case friction::FrictionLaw::table:
     case friction::FrictionLaw::powers:
+    case friction::FrictionLaw::contact_powers:
       break;  // measurements make such a model
     case friction::FrictionLaw::roller_palmgren:
     case friction::FrictionLaw::roller_skf:

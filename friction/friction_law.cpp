@@ -34,6 +34,8 @@ std::string_view name(FrictionLaw law) {
       return "table";
     case FrictionLaw::powers:
       return "powers";
+    case FrictionLaw::contact_powers:
+      return "contact-powers";
     case FrictionLaw::contact:
       break;
   }
@@ -62,7 +64,7 @@ std::optional<FrictionLaw> find_friction_law(std::string_view text) {
 
 std::span<const Parameter> parameters(FrictionLaw law) {
   if (law == FrictionLaw::palmgren) return palmgren_parameters;
-  if (law == FrictionLaw::powers) return powers_parameters;
+  if (has_fitted_exponents(law)) return powers_parameters;
   if (law == FrictionLaw::skf) return skf_parameters;
   if (law == FrictionLaw::table) return TorqueTable::parameters;
   if (of_rollers(law)) return roller_parameters(law);
@@ -72,9 +74,9 @@ std::span<const Parameter> parameters(FrictionLaw law) {
 bool of_the_lubricant(const Parameter& number) { return number.name == "limiting_traction"; }
 
 std::span<const std::string_view> bearing_data(FrictionLaw law) {
+  if (needs_equilibrium(law) || law == FrictionLaw::table || of_rollers(law)) return {};
   // The load moments take in all that the other moment does (tests).
   if (has_palmgren_load(law)) return PalmgrenLoad::bearing_data;
-  if (law == FrictionLaw::contact || law == FrictionLaw::table || of_rollers(law)) return {};
   return SkfSliding::bearing_data;
 }
 
@@ -83,6 +85,28 @@ BaseMoments<double> table_moments(const BearingState<double>& state,
   if (!state.table) return {unset, unset};
   const double load = state.table->load_moment(state);
   return {values[0] * load, values[0] * (state.table->moment(state) - load)};
+}
+
+BaseMoments<double> contact_powers_moments(const BearingState<double>& state,
+                                           std::span<const double> values) {
+  if (!state.equilibrium || !state.equilibrium->report.converged()) return {unset, unset};
+  const bearing::Balls& balls = state.equilibrium->balls;
+  const auto contacts = 2.0 * static_cast<double>(balls.size());
+  const double thrust_per_load =
+      static_cast<double>(balls.size()) * std::sin(ContactPowers::angle_of_thrust(*state.bearing));
+  BearingState<double> thrust = state;
+  thrust.radial_load = 0.0;
+  BaseMoments<double> mean{0.0, 0.0};
+  for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
+    const bearing::BallEquilibrium& ball = balls.distinct()[k];
+    for (const double load : {ball.inner_load, ball.outer_load}) {
+      thrust.axial_load = thrust_per_load * load;
+      const BaseMoments<double> m = base_moments(FrictionLaw::powers, thrust, values);
+      mean.load += balls.weight(k) / contacts * m.load;
+      mean.viscous += balls.weight(k) / contacts * m.viscous;
+    }
+  }
+  return mean;
 }
 
 void require_data(FrictionLaw law, const bearing::Bearing& bearing) {

@@ -14,25 +14,39 @@
 namespace raceway::friction {
 
 /// Base law of a model. `contact` sums friction over the balls in equilibrium
-/// (friction/contact/contact_law.h). `table` is a measured table (friction/torque_table.h). The
-/// others are formulas for the whole bearing; `powers` is fitted to measurements. Laws of
-/// cylindrical rollers have other parameters (friction/roller_friction.h). In files they have the
-/// names of the ball laws; the type of the bearing selects the law.
-enum class FrictionLaw { palmgren, skf, contact, table, powers, roller_palmgren, roller_skf };
+/// (friction/contact/contact_law.h). `table` is a measured table (friction/torque_table.h).
+/// `powers` and `contact_powers` are fitted to measurements (friction/powers.h). All laws but
+/// `contact`, `contact_powers` and `table` are formulas for the whole bearing. Laws of cylindrical
+/// rollers have other parameters (friction/roller_friction.h). In files they have the names of the
+/// ball laws; the type of the bearing selects the law.
+enum class FrictionLaw {
+  palmgren,
+  skf,
+  contact,
+  table,
+  powers,
+  contact_powers,
+  roller_palmgren,
+  roller_skf
+};
 /// Laws of ball bearings.
 inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
-                                              FrictionLaw::contact, FrictionLaw::table,
-                                              FrictionLaw::powers};
+                                              FrictionLaw::contact,  FrictionLaw::table,
+                                              FrictionLaw::powers,   FrictionLaw::contact_powers};
 /// Laws of cylindrical roller bearings.
 inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
                                                  FrictionLaw::roller_skf};
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
   return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
 }
+/// True if the exponents of the law are fitted: it describes measurements, but explains nothing.
+[[nodiscard]] constexpr bool has_fitted_exponents(FrictionLaw law) {
+  return law == FrictionLaw::powers || law == FrictionLaw::contact_powers;
+}
 /// True if the law has Palmgren's load moment under the load `f1_load`, and the parameters f0, z
 /// and y.
 [[nodiscard]] constexpr bool has_palmgren_load(FrictionLaw law) {
-  return law == FrictionLaw::palmgren || law == FrictionLaw::powers;
+  return law == FrictionLaw::palmgren || has_fitted_exponents(law);
 }
 /// Returns all laws for the kind of bearing to which this law belongs.
 [[nodiscard]] constexpr std::span<const FrictionLaw> laws_of_same_bearing(FrictionLaw law) {
@@ -49,7 +63,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 
 /// Parameters of the law, in the order of the values that base_moments() expects.
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs        contact: contact_parameters
-///   table: scale              powers: f0, z, y, viscous_exponent, viscous_load_exponent
+///   table: scale              powers, contact_powers: f0, z, y, viscous_exponent,
+///                                                     viscous_load_exponent
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
@@ -60,17 +75,18 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// change the moments.
 ///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-///   table: none; contact and laws of rollers: all data; in these cases the list is empty
+///   table: none; contact, contact_powers and laws of rollers: all data; in these cases the list is
+///   empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
 /// True if the law uses the ball equilibrium. Without it, such a law has no moments.
 [[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
-  return law == FrictionLaw::contact;
+  return law == FrictionLaw::contact || law == FrictionLaw::contact_powers;
 }
 
-/// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for Palmgren and
-/// `powers`, an angular contact for SKF. The program calls this function once for each model; the
-/// laws do not check again.
+/// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for laws with
+/// Palmgren's load moment, an angular contact for SKF. The program calls this function once for
+/// each model; the laws do not check again.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For SKF, `load` is the sliding moment and `viscous` the
@@ -92,6 +108,10 @@ struct BaseMoments {
 [[nodiscard]] BaseMoments<double> table_moments(const BearingState<double>& state,
                                                 std::span<const double> values);
 
+/// Law `contact-powers` for base_moments(); NaN without a converged equilibrium.
+[[nodiscard]] BaseMoments<double> contact_powers_moments(const BearingState<double>& state,
+                                                         std::span<const double> values);
+
 namespace contact {
 /// Law `contact` for base_moments(); NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> contact_moments(const BearingState<double>& state,
@@ -103,6 +123,7 @@ BaseMoments<T> base_moments(FrictionLaw law, const BearingState<T>& state,
                             std::span<const T> values) {
   if constexpr (std::is_same_v<T, double>) {
     if (law == FrictionLaw::contact) return contact::contact_moments(state, values);
+    if (law == FrictionLaw::contact_powers) return contact_powers_moments(state, values);
     if (law == FrictionLaw::table) return table_moments(state, values);
     if (of_rollers(law)) return roller_moments(law, state, values);
   }

@@ -51,4 +51,26 @@ struct PowersViscous {
   }
 };
 
+/// Law `contact-powers`: the law `powers` with the loads of the ball contacts [N m].
+///
+///   M = 1/(2 Z) Σ M_p(Z Q sin α0)
+///
+/// The sum is over the inner and outer contacts of all balls. Q is the load of a contact.
+/// M_p(F_a) is a moment of the law `powers` under the thrust F_a alone. At low speed the running
+/// contact angles are near α0, and under thrust M is M_p of this thrust. At high speed the
+/// centrifugal force loads the outer contacts more. For α0 = 0, sin α0 is replaced by sin 15 deg,
+/// the angle of palmgren_load().
+///
+/// Source:   derived. The rolling moment of one contact is a product of powers of speed and load
+///           [BibouletHoupert2010].
+/// Domain:   as PowersViscous; the balls must be in equilibrium.
+/// Accuracy: as PowersViscous.
+struct ContactPowers {
+  /// Contact angle in the formula [rad].
+  static double angle_of_thrust(const bearing::Bearing& bearing) {
+    const double angle = bearing.geometry().contact_angle;
+    return angle > 0.0 ? angle : 15.0 * degree;
+  }
+};
+
 }  // namespace raceway::friction

@@ -277,7 +277,7 @@ std::vector<fit::OtherBase> ModelSubject::other_laws() const {
     const std::string name(friction::name(law));
     fit::OtherBase base{
         .id = "law:" + name, .words = "law = " + name, .lacks = lacks_for_law(model_, law)};
-    base.fitted_form = law == friction::FrictionLaw::powers;
+    base.fitted_form = friction::has_fitted_exponents(law);
     if (base.fitted_form) base.words += " (fitted exponents)";
     if (base.lacks.empty()) base.subject = with(with_law(model_, law), waiting_);
     list.push_back(std::move(base));

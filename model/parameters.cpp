@@ -451,7 +451,7 @@ void set(Model& model, const Parameter& parameter, double value) {
 
 std::vector<std::string> default_free(friction::FrictionLaw law) {
   if (law == friction::FrictionLaw::palmgren) return {"f0", "z"};
-  if (law == friction::FrictionLaw::powers)
+  if (friction::has_fitted_exponents(law))
     return {"f0", "z", "y", "viscous_exponent", "viscous_load_exponent"};
   if (law == friction::FrictionLaw::contact) return {"rolling_factor"};
   if (law == friction::FrictionLaw::roller_palmgren) return {"f0", "f1"};

@@ -91,11 +91,11 @@ void set(Model& model, const record::Parameter& parameter, double value);
 
 /// Returns the parameters that are free by default:
 ///
-///   palmgren   f0, z (the data rarely separate y from z); f0, f1 for rollers
-///   powers     all parameters
-///   skf        mu_EHL, K_rs
-///   contact    rolling_factor
-///   table      scale
+///   palmgren         f0, z (the data rarely separate y from z); f0, f1 for rollers
+///   powers           all parameters, as for contact-powers
+///   skf              mu_EHL, K_rs
+///   contact          rolling_factor
+///   table            scale
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
 /// Returns the parameters of a model that are free by default. For a spindle it is the first

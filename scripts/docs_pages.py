@@ -323,7 +323,7 @@ LAWS = {
         "friction/contact/roelands.h",
         "friction/contact/contact_law.h",
     ],
-    "powers": ["friction/powers.h"],
+    "powers, contact-powers": ["friction/powers.h"],
     "table": ["friction/torque_table.h"],
     "spin-friction": ["friction/spin.h"],
     "lubricant, heat": ["friction/lubricant.h", "friction/heat.h"],
@@ -334,7 +334,7 @@ def law_page():
     """The formulas of the laws, from the comments above the code that evaluates them."""
     text = "Laws\n====\n\nThe formulas with source, domain and accuracy, as they stand above the code that evaluates them. Which law when, and "
     text += "what each ignores of a bearing: :doc:`/docs/laws`. References: :download:`references.bib </files/data/references.bib>`.\n\n"
-    text += '.. code-block:: toml\n\n   [friction]\n   law = "palmgren"   # or "skf", "contact", "powers", "table"\n\n'
+    text += '.. code-block:: toml\n\n   [friction]\n   law = "palmgren"   # or "skf", "contact", "powers", "contact-powers", "table"\n\n'
     copy = SOURCE / "files/data/references.bib"
     copy.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy(ROOT / "data/references.bib", copy)

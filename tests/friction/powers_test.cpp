@@ -93,5 +93,75 @@ TEST(Powers, NeedsTheStaticLoadRating) {
             "static_load_rating is missing: the law powers needs a rating above 0 N");
 }
 
+/// Moments of the law `contact-powers` in the equilibrium of a load that turns no symmetry on.
+struct OfContacts {
+  bearing::Bearing bearing;
+  bearing::BearingEquilibrium equilibrium;
+  BearingState<double> state;
+
+  OfContacts(const bearing::Bearing& of, const bearing::OperatingPoint& point)
+      : bearing(of),
+        equilibrium(bearing::solve_bearing_equilibrium(bearing, point)),
+        state(tests::state_of(bearing, equilibrium, point, bearing::RaceControl::outer)) {}
+
+  [[nodiscard]] friction::BaseMoments<double> moments(const std::vector<double>& values) const {
+    return raceway::moments(FrictionLaw::contact_powers, state, values);
+  }
+  /// Sum of the loads of all contacts [N].
+  [[nodiscard]] double load_sum() const {
+    double sum = 0.0;
+    for (const bearing::BallEquilibrium& ball : equilibrium.balls)
+      sum += ball.inner_load + ball.outer_load;
+    return sum;
+  }
+};
+
+const bearing::OperatingPoint fast_and_skew{
+    .speed = 16000 * rpm, .axial_load = 700.0, .radial_load = 150.0, .radial_load_z = 60.0};
+
+TEST(ContactPowers, WithLoadsToThePowerOneItCountsTheSumOfTheContactLoads) {
+  const OfContacts at(tests::spindle_bearing(), fast_and_skew);
+  ASSERT_TRUE(at.equilibrium.report.converged());
+  const double alpha = 25 * degree, dm = 90 * mm;
+  const auto m = at.moments({2.0, 0.001, 0.0, 2.0 / 3.0, 1.0});
+  // F_b = 0.9 Z Q sin α0 cot α0, mean over 2 Z contacts.
+  tests::expect_relative(m.load, 0.001 * dm * 0.9 * std::cos(alpha) * 0.5 * at.load_sum(), 1e-12);
+  // P0 = Y0 Z Q sin α0 over 200 N times Palmgren's moment.
+  const double ratio =
+      friction::static_load_factors(alpha).Y0 * std::sin(alpha) * 0.5 * at.load_sum() / 200.0;
+  const double nu_n = 22.0 * 16000.0;
+  tests::expect_relative(
+      m.viscous, 1e-10 * 2.0 * std::pow(nu_n, 2.0 / 3.0) * std::pow(90.0, 3) * ratio, 1e-12);
+}
+
+TEST(ContactPowers, IsTheLawPowersUnderALightThrustAtRest) {
+  const OfContacts at(tests::spindle_bearing(), {.speed = 1 * rpm, .axial_load = 5.0});
+  ASSERT_TRUE(at.equilibrium.report.converged());
+  const std::vector<double> values{2.0, 0.001, 0.33, 0.66, 0.47};
+  const auto contacts = at.moments(values),
+             bearing = moments(FrictionLaw::powers, at.state, values);
+  // The running contact angle is 25.3 deg.
+  tests::expect_relative(contacts.load, bearing.load, 0.02);
+  tests::expect_relative(contacts.viscous, bearing.viscous, 0.02);
+}
+
+TEST(ContactPowers, TheCentrifugalForceOfSteelBallsIsFeltMore) {
+  const bearing::OperatingPoint point{.speed = 20000 * rpm, .axial_load = 300.0};
+  const std::vector<double> values{2.0, 0.001, 0.33, 0.66, 0.47};
+  const auto steel = OfContacts(tests::spindle_bearing(), point).moments(values),
+             ceramic = OfContacts(tests::spindle_bearing(bearing::silicon_nitride()), point)
+                           .moments(values);
+  EXPECT_GT(steel.load, 1.2 * ceramic.load);
+  EXPECT_GT(steel.viscous, 1.1 * ceramic.viscous);
+}
+
+TEST(ContactPowers, HasNoMomentsWithoutEquilibrium) {
+  const bearing::Bearing bearing = tests::spindle_bearing();
+  const auto m = moments(FrictionLaw::contact_powers, at(bearing, 100.0, 500.0, 22 * mm2_per_s),
+                         {2.0, 0.001, 0.33, 0.66, 0.47});
+  EXPECT_TRUE(std::isnan(m.load));
+  EXPECT_TRUE(std::isnan(m.viscous));
+}
+
 }  // namespace
 }  // namespace raceway

@@ -32,8 +32,8 @@ struct OracleAnswer {
   double needed = 0.0;         ///< gain that admits a name, as in the diagnosis
   /// Gain and limit of an observer who does not know the size of the run offsets and learns it from
   /// the record. For a wrong datum: gain of the datum, with the limit of Student's distribution for
-  /// as many candidates as the diagnosis tries. For zeros that are set before each run, with nothing
-  /// hidden: gain of the best single cause.
+  /// as many candidates as the diagnosis tries. For zeros that are set before each run, with
+  /// nothing hidden: gain of the best single cause.
   std::optional<double> learned_detection;
   double learned_from = 0.0;
   bool something = false;  ///< a cause is hidden

@@ -100,6 +100,18 @@ Bearing::Moments houpert_moments(const Machine& m, const BaseLaw& law, double sp
           .other = 40.0 * size * std::pow(load / 1000.0, law.powers[2])};
 }
 
+/// Houpert's law for the contacts: their mean, each with the thrust that its load would carry.
+Bearing::Moments mean_over_contacts(const Bearing& bearing, const BaseLaw& law, double speed,
+                                    double load, double viscosity) {
+  const Machine& m = bearing.machine();
+  const Balance& ball = bearing.balance(speed, load);
+  const double thrust = m.balls * std::sin(m.contact_angle * pi / 180.0);
+  const auto at = [&](double Q) { return houpert_moments(m, law, speed, thrust * Q, viscosity); };
+  const Bearing::Moments inner = at(ball.inner_load), outer = at(ball.outer_load);
+  return {.rolling = 0.5 * (inner.rolling + outer.rolling),
+          .other = 0.5 * (inner.other + outer.other)};
+}
+
 /// The base moment of a bearing at a film temperature: what the oil resists, and the rest.
 Bearing::Moments base_moments(const Bearing& bearing, const BaseLaw& law, const Point& point,
                               double load, double temperature) {
@@ -111,9 +123,10 @@ Bearing::Moments base_moments(const Bearing& bearing, const BaseLaw& law, const 
   const double viscosity = bearing.viscosity(temperature);
   if (law.formula != Formula::palmgren) {
     const Machine& m = bearing.machine();
-    const Bearing::Moments moments = law.formula == Formula::skf
-                                         ? skf_moments(m, point.speed, load, viscosity)
-                                         : houpert_moments(m, law, point.speed, load, viscosity);
+    const Bearing::Moments moments =
+        law.formula == Formula::skf ? skf_moments(m, point.speed, load, viscosity)
+        : law.by_ball_loads         ? mean_over_contacts(bearing, law, point.speed, load, viscosity)
+                                    : houpert_moments(m, law, point.speed, load, viscosity);
     return {.rolling = law.rolling_factor * moments.rolling,
             .other = law.sliding_factor * moments.other};
   }

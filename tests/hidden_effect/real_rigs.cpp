@@ -168,7 +168,7 @@ std::vector<RealRig> make_real_rigs() {
     return setup;
   };
   const BaseLaw palmgren{}, skf{.formula = Formula::skf}, houpert{.formula = Formula::houpert},
-      contacts{.contacts = true};
+      houpert_balls{.formula = Formula::houpert, .by_ball_loads = true}, contacts{.contacts = true};
   // The same with four loads, each of them in two runs.
   const auto twice = [](Mistake mistake, Plan plan = Plan::stairs) {
     return on(plan, Noise::run_offsets, {.level = 0.01, .offset = 0.01}, 0, mistake);
@@ -268,6 +268,9 @@ std::vector<RealRig> make_real_rigs() {
        oils_named},
       {"two oils, nothing missing", twice({.second_oil = true}, Plan::one_stairs), 3, none,
        oils_quiet},
+      {"none of ours, of ball loads", lab(houpert_balls), 3, none, no_law},
+      {"none of ours, of ball loads, and a constant of 30 %",
+       hiding(lab(houpert_balls), {{"torque-offset", 0.3}}), 3, none, constant},
   };
 }
 
