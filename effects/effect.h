@@ -223,12 +223,13 @@ struct Exclusions {
   /// Text with the keys of the contact law that replace the effect, if the contact law already
   /// contains the effect. Empty if the effect may be added to the contact law.
   std::string_view within_contacts = {};
-  bool within_oil_fraction = false;  ///< true: the contact law contains it if oil_fraction > 0
+  /// True: the contact law contains the effect if oil_fraction > 0
+  bool within_oil_fraction = false;
   /// True: the effect changes the viscous moment, which a friction table does not separate from the
   /// rest. Effects on the lubricant and corrections of the base law need no flag.
   bool of_viscous_moment = false;
   /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
-  /// that use ball loads may leave it empty: rollers never have them.
+  /// that use ball loads may leave this text empty: rollers never have such effects.
   std::string_view not_for_rollers = {};
 };
 

@@ -18,7 +18,7 @@ struct Means {
     std::size_t channel = 0;             ///< index in Subject::measured()
     double weight = 1.0;                 ///< relative weight: 1/tolerance of its channel
     double time = unset;                 ///< time in the middle of its rows [s]
-    int block = -1;                      ///< block in which it is held out; -1: none
+    int block = -1;                      ///< block in which the mean is held out; -1: no block
   };
   std::vector<Mean> list{};
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }

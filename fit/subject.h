@@ -75,8 +75,8 @@ struct Candidate {
   /// True if the candidate corrects the law of the subject itself. Such candidates are tried before
   /// physical effects.
   bool base_law = false;
-  bool of_the_user = false;  ///< true: the user defined it, and its size is unknown
-  bool empirical = false;    ///< true: a shape without a physical law; it only describes the misfit
+  bool of_the_user = false;     ///< true: a user-defined effect, whose usual size is unknown
+  bool empirical = false;       ///< true: a shape that describes the misfit without a physical law
   bool of_each_record = false;  ///< true: a datum that may differ between several records
   bool of_time = false;         ///< true: depends on the time of a row
   /// Allowed values of each parameter, rising. An empty list, or an empty entry for one parameter,

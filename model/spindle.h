@@ -152,13 +152,13 @@ struct Coolant {
   double pitch = unset;               ///< pitch of the turns [m]
   double start = unset, end = unset;  ///< distances behind the nose face [m]
   double stagnant = 25.0;             ///< film coefficient of the standing fluid [W/(m² K)]
-  double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: none
+  double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: no orifice
 };
 
 /// A further coolant circuit, with a channel around another span of the housing.
 struct Circuit {
   std::string name;  ///< gives the columns NAME_outlet_temperature_C and heat_to_NAME_W
-  Coolant channel;   ///< with an inlet temperature of NaN, it uses the value of the first circuit
+  Coolant channel;   ///< inlet temperature NaN: value of the first circuit
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };

@@ -19,7 +19,7 @@ struct ModesQuestion {
   int count = 6;
   double damping_ratio = unset;                   ///< damping ratio assigned to every mode [1]
   std::optional<spindle::Unbalance> unbalance{};  ///< unbalance for the path of the nose
-  const std::atomic<bool>* cancelled = nullptr;   ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;   ///< true ends the work with fit::Cancelled
 };
 
 /// Modes of a shaft on its bearings as functions of speed.

@@ -38,7 +38,7 @@ struct BearingPlace {
   Joints inner_seat, outer_seat;
   Joints inner_raceway, outer_raceway;  ///< paths from cells to the raceway
   Shares inner_ring, outer_ring;        ///< weights of the mean temperatures
-  Shares shaft_below, housing_above;    ///< the same for shaft and housing at the seats
+  Shares shaft_below, housing_above;    ///< weights for shaft and housing at the seats
 };
 
 /// Side face of a ring that a clamping force presses against its neighbour: a shoulder, a spacer or

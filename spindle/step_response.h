@@ -61,10 +61,10 @@ struct StepResponses {
 
 struct StepOptions {
   double duration = 4 * 3600.0;  ///< duration of each step [s]
-  double row = 120.0;            ///< interval between rows of the fit [s]
+  double row = 120.0;            ///< interval between rows of a response [s]
   Inputs inputs = {};            ///< all inputs except the speed
   bool cool_down = true;         ///< true adds a cooling of equal length after the fastest step
-  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
 /// Simulates a step to each of these speeds [rad/s] from rest at ambient temperature, in parallel

@@ -45,12 +45,12 @@ struct ChannelDiagnosis {
 /// Fit of one effect to the data, together with all base parameters.
 struct RankedEffect {
   std::string id;
-  std::string datum{};  ///< Candidate::datum: the wrong datum, if the candidate is not an effect
+  std::string datum{};       ///< wrong datum; empty for an effect
   std::string correction{};  ///< text with the corrected value of that datum
   /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
   /// place, unless there is only one choice.
   std::vector<std::pair<std::string, std::string>> acts_on{};
-  bool by_column = false;  ///< Candidate::by_column
+  bool by_column = false;  ///< true if the name contains the driving column
   bool in_verdict = false;
   /// Fall of -2 ln L when the effect is added, minus ln N for each fitted parameter other than the
   /// size, with N readings. If the verdict is `several_effects` and includes this effect, this is
@@ -79,7 +79,7 @@ struct RankedEffect {
 
 /// Fit of a set of effects to the data.
 struct SetFit {
-  double gain = unset;  ///< RankedEffect::gain of the whole set
+  double gain = unset;  ///< gain of the whole set, as in RankedEffect
   fit::Likelihood likelihood{};
   std::vector<double> rmse{};  ///< error of each channel in sample [SI]
 };
@@ -113,7 +113,7 @@ struct DetectableSize {
   std::string unit;
   double size = unset;              ///< smallest size of that parameter
   double share_of_reading = unset;  ///< rms of the effect at this size over rms of the readings [1]
-  std::string most_alike{};  ///< effect that is hardest to separate from this one; empty if none
+  std::string most_alike{};  ///< effect that is hardest to separate from this effect; may be empty
   double told_apart_from = unset;  ///< size above which the data separate the two effects
 };
 
@@ -144,8 +144,8 @@ struct SuggestedMeasurement {
 
 /// Another base model, calibrated to the same readings instead of the given base model.
 struct OtherBaseTried {
-  std::string id;     ///< OtherBase::id
-  std::string words;  ///< OtherBase::words
+  std::string id;     ///< id for add(): "law:skf"
+  std::string words;  ///< name in model files
   /// Fall of -2 ln L relative to the given model without effects, minus ln N for each additional
   /// free parameter.
   double gain = unset;
@@ -155,7 +155,7 @@ struct OtherBaseTried {
   std::vector<record::Parameter> parameters{};
   double remaining_p_value = unset;  ///< p of the gate on its residuals; NaN if not tested
   bool explains = false;             ///< true if the data show no missing effect in this base model
-  bool fitted_form = false;          ///< OtherBase::fitted_form
+  bool fitted_form = false;          ///< true if its exponents are fitted too
 };
 
 struct Diagnosis {

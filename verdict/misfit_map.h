@@ -19,7 +19,7 @@ struct MisfitCell {
 /// Map of the misfit of a model over two inputs, with the significance of each cell.
 ///
 /// The ranges come from Comparison::where: single levels if the data have few levels, otherwise
-/// bins with about equal numbers of rows. `across` is the swept input (Pattern::along). `up` is the
+/// bins with about equal numbers of rows. `across` is the swept input, Pattern::along. `up` is the
 /// first other input that varies. Settings with a ratio scale, such as loads, come first. All other
 /// inputs follow, such as temperatures, and then runs. An axis without a varying input has one
 /// range with all rows.
