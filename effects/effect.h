@@ -223,7 +223,7 @@ struct Exclusions {
   /// Text with the keys of the contact law that replace the effect, if the contact law already
   /// contains the effect. Empty if the effect may be added to the contact law.
   std::string_view within_contacts = {};
-  /// True: the contact law contains the effect if oil_fraction > 0
+  /// True: the contact law contains the effect if oil_fraction > 0.
   bool within_oil_fraction = false;
   /// True: the effect changes the viscous moment, which a friction table does not separate from the
   /// rest. Effects on the lubricant and corrections of the base law need no flag.
