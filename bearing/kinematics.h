@@ -38,7 +38,8 @@ struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]
   double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To as in BallBalance [N]
-  double inner_load = 1.0;                            ///< Qi for this friction [N], > 0
+  /// Qi at which the friction forces are given [N], > 0.
+  double inner_load = 1.0;
   [[nodiscard]] bool operator==(const GivenRotation&) const = default;
 };
 

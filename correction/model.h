@@ -108,7 +108,7 @@ struct Effect {
   std::string where{};                    ///< channel or axis of the effect; empty without one
   std::vector<const Channel*> columns{};  ///< the mean of these columns drives the effect
   std::optional<Window> window{};         ///< window in which the effect acts
-  std::vector<double> values{};           ///< parameter values in the units of its card
+  std::vector<double> values{};           ///< parameter values in the units of EffectCard
   /// user-defined effect; null for an effect of the catalogue
   std::shared_ptr<const OwnEffect> own{};
   bool off = false;  ///< true: a user-defined effect that is only a candidate
@@ -154,7 +154,7 @@ struct Left {
 
 /// Evidence for a fitted model from readings that the fit did not use. trust_of() judges it.
 struct Evidence {
-  double error = unset;  ///< rms error on these readings; NaN if there are none [m]
+  double error = unset;  ///< rms error on readings that the fit did not use; NaN without them [m]
   /// Rms of the readings after subtracting one constant from each run [m].
   double uncorrected = unset;
   double duration = unset;  ///< duration of the readings of the longest run [s]

@@ -159,14 +159,14 @@ using TangentAbout = std::function<MomentTangent(double temperature)>;
 struct MomentInputs {
   /// State with the true loads and the viscosity of the film.
   const friction::BearingState<double>& state;
-  friction::BaseMoments<double> base;  ///< moments of the base law in this state [N m]
+  friction::BaseMoments<double> base;  ///< moments of the base law in `state` [N m]
   const Record& record;
 };
 
 /// Inputs of an effect on the reading of a measured channel.
 struct ReadingInputs {
-  double value;                          ///< predicted value of that channel [SI]
-  const bearing::OperatingPoint& point;  ///< on a shaft, its axial load is the external load
+  double value;                          ///< predicted value of the measured channel [SI]
+  const bearing::OperatingPoint& point;  ///< with the external axial load on a shaft
   const Record& record;
 };
 

@@ -46,7 +46,7 @@ struct Factor {
 struct Formula {
   struct Input {
     std::string word;            ///< name in the formula: "speed_rpm"
-    std::string exponent;        ///< name of its exponent: "a"
+    std::string exponent;        ///< name of the exponent: "a"
     std::vector<double> values;  ///< value of each row, in the unit of the name
   };
   std::string key;      ///< key of the formula in a model file

@@ -16,8 +16,8 @@ struct Means {
     std::vector<Eigen::Index> places{};  ///< indices in the readings of a predictor
     double measured = unset;             ///< SI
     std::size_t channel = 0;             ///< index in Subject::measured()
-    double weight = 1.0;                 ///< relative weight: 1/tolerance of its channel
-    double time = unset;                 ///< time in the middle of its rows [s]
+    double weight = 1.0;                 ///< relative weight: 1/tolerance of the channel
+    double time = unset;                 ///< time in the middle of the rows [s]
     int block = -1;                      ///< block in which the mean is held out; -1: no block
   };
   std::vector<Mean> list{};

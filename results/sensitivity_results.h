@@ -53,7 +53,7 @@ struct PredictionSensitivity {
 struct Sensitivity {
   std::string source, model;
   std::vector<std::string> inputs = {};          ///< names of the inputs of a state
-  std::vector<std::vector<double>> states = {};  ///< values of these inputs
+  std::vector<std::vector<double>> states = {};  ///< values of `inputs` at each state
   std::vector<VariedDatum> data = {};            ///< data that affect a prediction
   std::vector<PredictionSensitivity> predictions = {};
   std::vector<std::string> does_not_enter = {};

@@ -25,7 +25,7 @@ struct StepResponse {
   double power_end = unset;      ///< friction loss at the end, the power of K(P) and T(P) [W]
   double kinematic = unset;      ///< immediate displacement [m]
   double end = unset;            ///< displacement at the end minus the kinematic part [m]
-  double front_force = unset;    ///< force of the cold front set at that speed [N]
+  double front_force = unset;    ///< force of the cold front set at `speed` [N]
   double highest_force = unset;  ///< largest force of the front set during the step [N]
   StepFit fit = {};              ///< fit to the displacement minus the kinematic part
   Status status = Status::not_run;

@@ -27,7 +27,7 @@ struct BearingHeat {
   double radial_force = 0.0;        ///< [N]
   double clearance = unset;         ///< s of a roller bearing [m]
   double conductance = 0.0;  ///< conductance of balls or rollers through their contacts [W/K]
-  double band = 0.0;         ///< half width of the 95 % band of its power from a friction table [W]
+  double band = 0.0;         ///< half width of the 95 % band of the heat, from a friction table [W]
   [[nodiscard]] double power() const { return inner + outer; }
 };
 

@@ -46,7 +46,7 @@ struct ChannelDiagnosis {
 struct RankedEffect {
   std::string id;
   std::string datum{};       ///< wrong datum; empty for an effect
-  std::string correction{};  ///< text with the corrected value of that datum
+  std::string correction{};  ///< text with the corrected value of the datum
   /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
   /// place, unless there is only one choice.
   std::vector<std::pair<std::string, std::string>> acts_on{};
@@ -101,7 +101,7 @@ struct EffectShare {
 struct ExplainedReadings {
   /// Prediction with the effects on and the base parameters refitted [SI].
   std::vector<double> total{};
-  std::vector<double> base{};  ///< prediction of the same model with the effects off [SI]
+  std::vector<double> base{};  ///< prediction of this model with the effects switched off [SI]
   /// For each effect, the total minus the prediction without this effect.
   std::vector<EffectShare> effects{};
 };
@@ -111,7 +111,7 @@ struct DetectableSize {
   std::string id;
   std::string parameter;
   std::string unit;
-  double size = unset;              ///< smallest size of that parameter
+  double size = unset;              ///< detectable size of the parameter
   double share_of_reading = unset;  ///< rms of the effect at this size over rms of the readings [1]
   std::string most_alike{};  ///< effect that is hardest to separate from this effect; may be empty
   double told_apart_from = unset;  ///< size above which the data separate the two effects
@@ -153,9 +153,9 @@ struct OtherBaseTried {
   std::vector<double> rmse{};           ///< error of each channel in sample [SI]
   std::vector<double> rmse_held_out{};  ///< held-out error of each channel [SI]
   std::vector<record::Parameter> parameters{};
-  double remaining_p_value = unset;  ///< p of the gate on its residuals; NaN if not tested
+  double remaining_p_value = unset;  ///< p of the gate on the new residuals; NaN if not tested
   bool explains = false;             ///< true if the data show no missing effect in this base model
-  bool fitted_form = false;          ///< true if its exponents are fitted too
+  bool fitted_form = false;          ///< true if the exponents of this base law are fitted
 };
 
 struct Diagnosis {
@@ -169,7 +169,7 @@ struct Diagnosis {
       effects;  ///< effects of the verdict first, starting with the best set; the others by rank
   std::vector<std::vector<std::string>>
       sets;                  ///< sets of effects whose gain is close to the best, best first
-  std::vector<SetFit> fits;  ///< fits of these sets; empty if the model only approximates
+  std::vector<SetFit> fits;  ///< fits of `sets`; empty if the model only approximates
   /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
   Correlation correlation;  ///< correlation for the best set, or for the model without effects

@@ -38,7 +38,7 @@ struct Gate {
   double surface_p_value = 1.0;
   int surface_terms = 0;
   double largest_score = unset;  ///< largest score in standard deviations
-  int largest = -1;              ///< column of that score
+  int largest = -1;              ///< column of the largest score; -1 if no column is visible
   double score_p_value = 1.0;
   /// Largest p over the other noise shapes that the readings allow; 0 if these shapes were not
   /// tested.
