@@ -8,8 +8,8 @@ namespace raceway::bearing {
 enum class RaceControl { outer, inner };
 
 /// Speeds of a ball from its contact angles; the inner ring rotates at ω. The laws are rational
-/// functions of the sines and cosines of the contact angles. A solver that knows these as ratios of
-/// lengths needs no trigonometric function.
+/// functions of the sines and cosines of the contact angles. A solver that has these values as
+/// ratios of lengths needs no trigonometric function.
 ///
 /// Orbital (cage) speed, ratio m = ω_m/ω [1]:
 ///

@@ -19,7 +19,7 @@ struct NewtonLimits {
 /// Progress of the lanes. A lane is true in at most one of the masks after `taken`.
 template <typename T>
 struct NewtonProgress {
-  Mask<T> taken;      ///< moved to the trial state; continues unless it is in a mask below
+  Mask<T> taken;      ///< true: moved to the trial state; continues unless another mask is true
   Mask<T> converged;  ///< residual within the tolerance, and smaller at the trial state
   Mask<T> not_finite, singular, exhausted;
 };

@@ -41,7 +41,7 @@ struct Response {
   /// bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
   /// Returns the derivatives by one-sided differences; `at_x` are the readings at `x`. These
-  /// derivatives are accurate enough on the way to an optimum.
+  /// derivatives are accurate enough for the steps of a search.
   [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& at_x) const;
   /// Tests whether the response is affine, and stores the affine form if it is.

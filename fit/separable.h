@@ -48,7 +48,7 @@ struct SeparableFit {
 
 /// Minimises the weighted sum of the squared residuals of means over the named parameters. Linear
 /// parameters are solved by linear least squares within each step (variable projection
-/// [GolubPereyra1973]). The other parameters are the bending parameters. The method of Levenberg
+/// [GolubPereyra1973]). All other parameters are called bending parameters. The method of Levenberg
 /// and Marquardt finds them, on a logarithmic scale if the bounds of a parameter span more than a
 /// decade.
 ///

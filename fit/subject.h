@@ -56,8 +56,8 @@ class Predictor {
   /// Writes the readings of every measured channel at every row, channel by channel [SI]. Missing
   /// readings are NaN; all are NaN for parameter values that the model rejects.
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
-  /// Returns false only if it is certain that `parameter` never changes the readings per unit of
-  /// the linear parameter `of`. `none` stands for the readings with all linear parameters at zero.
+  /// Returns false only if `parameter` never changes the readings per unit of the linear parameter
+  /// `of`. If `of` is `none`, the readings with all linear parameters at zero are meant.
   /// `parameter` and `of` are indices of the names given to predictor(). Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
     (void)parameter, (void)of;

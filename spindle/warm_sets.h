@@ -47,9 +47,8 @@ class WarmSets {
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Returns false if the sets have no equilibrium; the state is then unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
-  /// Takes the bearing loads of the bent shaft, in addition to the axial loads, at the temperatures
-  /// of the last solve(); null means no such loads. Returns false if a friction value is not
-  /// finite.
+  /// Adds the bearing loads of the bent shaft to the axial loads, at the temperatures of the last
+  /// solve(); null means no bent shaft. Returns false if a friction value is not finite.
   [[nodiscard]] bool bear(const LoadedShaft* bent);
 
   [[nodiscard]] const model::Model& model() const { return model_; }

@@ -100,7 +100,7 @@ struct Comparison {
 
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
 /// model parameters that were fitted to these data. Fitted parameters reduce the degrees of freedom
-/// of the test. If you do not know the number, use 0, which makes the test milder. Throws
+/// of the test. If you do not know the number, use 0, which makes the test less strict. Throws
 /// std::invalid_argument if the record does not suit this kind of model, has no rows, or has no row
 /// with a prediction.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,

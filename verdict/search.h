@@ -17,7 +17,7 @@ struct Finding {
     none,       ///< no candidate explains the misfit
     single,     ///< one candidate explains the misfit
     several,    ///< two or three candidates together
-    bent,       ///< one candidate with a bent law
+    bent,       ///< one candidate whose law is multiplied by powers of the inputs
     base_laws,  ///< both corrections of the base law together; their threshold is lower than for
                 ///< other pairs
     partly      ///< one candidate explains most of the misfit but misses the tolerance
