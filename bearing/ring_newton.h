@@ -39,10 +39,10 @@ class RingNewton {
   RingPoint<T> point;
   T ring[5];
   std::vector<PlaneOf<T>> balls;
-  T trial_ring[5];  ///< evaluated by the next pass
+  T trial_ring[5];  ///< trial state, evaluated by the next pass()
   std::vector<PlaneOf<T>> trial_balls;
-  T steps = T(0.0);     ///< made since the start
-  T residual = T(0.0);  ///< at `ring` and `balls` [1]
+  T steps = T(0.0);     ///< number of steps since the start
+  T residual = T(0.0);  ///< scaled residual at `ring` and `balls` [1]
 
   /// Marks the trial state of this lane as a start, not a step.
   void begin(std::size_t i) {

@@ -152,7 +152,7 @@ struct ControlKinematic {
 /// One displacement.
 struct ControlAxis {
   std::string column{};      ///< "displacement_z_um"
-  std::string identifier{};  ///< as in ControlInput
+  std::string identifier{};  ///< unique name for languages without hyphens
   std::string name{};        ///< name of the model
   std::string letter{};      ///< machine axis that the output moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;

@@ -81,7 +81,7 @@ struct Fault {
 
 /// Blocks of rows. All rows of one block are held out together.
 struct Blocking {
-  std::string variable;      ///< Channel::variable of the held-out input
+  std::string variable;      ///< name of the held-out input, as in Channel::variable
   std::vector<int> block{};  ///< block of each row
   int blocks = 0;
   std::vector<std::string> untold{};  ///< names of the inputs that vary only outside all blocks

@@ -20,7 +20,7 @@ namespace raceway::fit {
 /// predictions at points within the bounds. If both agree to rounding, `constant + slope x` is
 /// stored, and fits need no iteration.
 struct Response {
-  std::vector<Parameter> parameters{};  ///< fits begin at `start`
+  std::vector<Parameter> parameters{};  ///< parameters; fits begin at their `start`
   /// Predicted observations [SI]; NaN for a missing prediction.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 

@@ -18,8 +18,8 @@ struct RingSize {
 
 /// Constants of a bearing type [mm, N, rpm, mm²/s -> N mm].
 struct SkfConstants {
-  double R1, R2, R3;  ///< rolling
-  double S1, S2, S3;  ///< sliding
+  double R1, R2, R3;  ///< constants of the rolling moment
+  double S1, S2, S3;  ///< constants of the sliding moment
   double K_Z;         ///< constant of the bearing type, for replenishment
 };
 

@@ -19,7 +19,7 @@ struct SolidMaterial {
   double conductivity = unset;       ///< [W/(m K)]
   double density = unset;            ///< [kg/m³]
   double heat_capacity = unset;      ///< [J/(kg K)]
-  double thermal_expansion = unset;  ///< linear [1/K]
+  double thermal_expansion = unset;  ///< coefficient of linear expansion [1/K]
   double elastic_modulus = unset;    ///< [Pa]
   double poissons_ratio = unset;     ///< [1]
 };
@@ -46,7 +46,7 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
 /// A piece of a shaft or housing between two planes. Pieces are listed from the nose to the rear.
 struct Segment {
   double length = unset;    ///< [m]
-  double diameter = unset;  ///< outer [m]
+  double diameter = unset;  ///< outer diameter [m]
   double bore = unset;      ///< [m]; 0: solid. For a housing, NaN means the bearing diameter
   SolidMaterial material = steel_of_shafts;
 };
@@ -96,7 +96,7 @@ struct Housing {
 /// Seats of the rings, and contacts at their side faces.
 struct Seat {
   double inner_interference = 6 * um;  ///< diametral, as mounted and at standstill [m]
-  double outer_clearance = 4 * um;     ///< diametral [m]
+  double outer_clearance = 4 * um;     ///< diametral clearance [m]
   double roughness = 0.8 * um;         ///< Ra [m]
   double slope = 0.15;                 ///< mean asperity slope of the surfaces [1]
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
@@ -148,7 +148,7 @@ struct Coolant {
   double inlet_temperature = unset;   ///< [K]
   double diameter = unset;            ///< mean diameter of the helix [m]
   double channel_width = unset;       ///< width along the axis [m]
-  double channel_depth = unset;       ///< radial [m]
+  double channel_depth = unset;       ///< radial depth [m]
   double pitch = unset;               ///< pitch of the turns [m]
   double start = unset, end = unset;  ///< distances behind the nose face [m]
   double stagnant = 25.0;             ///< film coefficient of the standing fluid [W/(m² K)]

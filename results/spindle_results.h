@@ -30,7 +30,7 @@ struct MeshEstimate {
 struct Assumption {
   std::string name;       ///< "bearing.lubricant_conductance_W_K"
   double value = unset;   ///< in the unit of the name
-  double spread = unset;  ///< in either direction
+  double spread = unset;  ///< possible error in either direction
   /// Displacement at value - spread and value + spread [m]; NaN: no result.
   double low = unset, high = unset;
 };

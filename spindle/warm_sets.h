@@ -23,7 +23,7 @@ struct SetsAsked {
 /// Friction heat of one bearing, with its forces, clearance and heat conduction.
 struct BearingHeat {
   double inner = 0.0, outer = 0.0;  ///< heat produced at each ring [W]
-  double force = 0.0;               ///< axial [N]
+  double force = 0.0;               ///< axial force [N]
   double radial_force = 0.0;        ///< [N]
   double clearance = unset;         ///< s of a roller bearing [m]
   double conductance = 0.0;  ///< conductance of balls or rollers through their contacts [W/K]

@@ -31,8 +31,8 @@ struct MisfitCell {
 struct MisfitMap {
   const record::Channel* across_channel = nullptr;
   const record::Channel* up_channel = nullptr;  ///< null if no other input varies
-  std::vector<ErrorRange> across;               ///< rising
-  std::vector<ErrorRange> up;                   ///< rising
+  std::vector<ErrorRange> across;               ///< ranges of the swept input, rising
+  std::vector<ErrorRange> up;                   ///< ranges of the other input, rising
   std::vector<MisfitCell> cells;                ///< cells with data, row by row of the map
   double needed_sigmas = unset;  ///< a cell with at least this many sigmas is significant
 };
