@@ -28,7 +28,7 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 /// the friction forces in the plane of the ball.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
-///   Ti, To = s times the given ones,   s = x (2 - x),   x = Qi/inner_load <= 1
+///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = Qi/inner_load <= 1
 ///
 /// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added to
 /// the ratio m. β, m_c and the given friction forces stay constant while the contact angles change.

@@ -85,7 +85,7 @@ class EffectKind {
   [[nodiscard]] virtual std::vector<double> choices(std::size_t number,
                                                     const Surroundings& in) const;
 
-  /// Returns those of EffectCard::numbers that this effect uses.
+  /// Returns the entries of EffectCard::numbers that this effect uses.
   [[nodiscard]] virtual std::span<const record::NumberCard> numbers(const Effect& effect) const;
   /// Returns true if a file may omit this parameter and the following ones.
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;

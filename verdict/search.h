@@ -38,8 +38,8 @@ struct SearchLimits {
 };
 
 /// Searches for an explanation of a misfit: single candidates, both corrections of the base law,
-/// pairs, triples and bent laws, in this order, until the residuals are noise. If there is a
-/// tolerance, the search ends when the held-out error is within the tolerance.
+/// pairs, triples and laws multiplied by powers, in this order, until the residuals are noise. If
+/// there is a tolerance, the search ends when the held-out error is within the tolerance.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
