@@ -49,8 +49,8 @@ struct SeparableFit {
 /// Minimises the weighted sum of the squared residuals of means over the named parameters. Linear
 /// parameters are solved by linear least squares within each step (variable projection
 /// [GolubPereyra1973]). All other parameters are called bending parameters. The method of Levenberg
-/// and Marquardt finds them, on a logarithmic scale if the bounds of a parameter span more than a
-/// decade.
+/// and Marquardt finds the bending parameters, on a logarithmic scale if the bounds of a parameter
+/// span more than a decade.
 ///
 /// A ridge of 1e-6 on columns of unit length prevents two lags with nearly equal time constants
 /// from growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w

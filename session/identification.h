@@ -76,7 +76,7 @@ struct ArxModels {
   [[nodiscard]] Text text() const;
 };
 
-/// Fits the ARX models. Throws like identify().
+/// Fits the ARX models. Throws the same exceptions as identify().
 [[nodiscard]] ArxModels identify_arx(SeriesQuestion asked, const IdentifyChoices& choices);
 
 }  // namespace raceway::session
