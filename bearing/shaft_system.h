@@ -86,7 +86,7 @@ class ShaftSystem {
     Plane free;      ///< inner groove centre without displacement
     double offset;   ///< additional compression relative to its set
     double count;    ///< Z
-    bool like_last;  ///< same bearing in the same condition as the previous one, on the same side
+    bool like_last;  ///< true: same bearing, offset, shift, rotation and side as the last member
   };
   struct Step {
     double shaft, rear;

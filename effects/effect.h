@@ -202,9 +202,9 @@ struct Requirements {
   bool uses_room = false;          ///< true: the effect uses Entry::room
   /// Further bearing data that the effect uses, with the names of friction::bearing_data().
   std::span<const std::string_view> bearing_data = {};
-  bool for_rig = true;      ///< allowed in a model of a bearing on a rig
-  bool for_shaft = true;    ///< allowed in a model of a shaft
-  bool for_spindle = true;  ///< allowed in a model of a spindle
+  bool for_rig = true;      ///< true: allowed in a model of a bearing on a rig
+  bool for_shaft = true;    ///< true: allowed in a model of a shaft
+  bool for_spindle = true;  ///< true: allowed in a model of a spindle
 
   /// Returns true if the effect can act with this supply. An unknown supply counts as suitable.
   [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;

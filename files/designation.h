@@ -33,7 +33,7 @@ struct Designation {
   std::string angle_code{};      ///< "AC"
   bool ceramic_balls = false;
   std::string ball_code{};    ///< code of ceramic balls: "HC"
-  std::string preload{};      ///< "light", "medium", "heavy", "extra light"
+  std::string preload{};      ///< preload class: "light", "medium", "heavy" or "extra light"
   std::string arrangement{};  ///< "DB", "DF", "DT"
   std::string other_type{};   ///< type if it has no angular contact: "a cylindrical roller bearing"
 

@@ -178,7 +178,8 @@ struct HeatSource {
   /// face of the housing and the first bearing. bearing heats the raceways of one bearing. A given
   /// span replaces the place of motor, pulley and seal.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
-  std::string name = {};                                   ///< "motor", "drive" or its own name
+  /// "motor", "drive" or the name of a [[heat]].
+  std::string name = {};
   double watts = unset;                                    ///< [W]; NaN: from the formula
   std::shared_ptr<const record::Expression> formula = {};  ///< formula for [W] with heat_variables
   double factor = 1.0;                                     ///< factor on the formula [1]

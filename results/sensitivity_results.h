@@ -16,9 +16,10 @@ namespace raceway::results {
 struct VariedDatum {
   std::string name;
   double value = unset;
-  double spread = unset;         ///< possible error in either direction
-  std::string spread_from = {};  ///< "given", "standard error", "1 %", "1 K", "1"
-  std::string origin = {};       ///< "file", "default", "catalogue", "asked"
+  double spread = unset;  ///< possible error in either direction
+  /// Origin of `spread`: "given", "standard error", "1 %", "1 K" or "1".
+  std::string spread_from = {};
+  std::string origin = {};  ///< origin of `value`: "file", "default", "catalogue" or "asked"
   bool whole = false;
   bool has_elasticity = true;  ///< false for a temperature in C, whose zero is arbitrary
 };

@@ -27,7 +27,7 @@ struct DeflectionQuestion {
   double at = 0.0;         ///< distance of the force behind the nose face [m]
   double speed = 0.0;      ///< [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
-  bool coolant_on = true;  ///< coolant of the warm spindle
+  bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
   Wording wording = Wording::arguments;          ///< names of arguments in error messages
   const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };

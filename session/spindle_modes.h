@@ -15,7 +15,7 @@ namespace raceway::session {
 struct ModesQuestion {
   std::vector<double> speeds{};  ///< [rad/s]
   bool warm = false;             ///< true: uses the bearings of the warm spindle at steady state
-  bool coolant_on = true;        ///< coolant of the warm spindle
+  bool coolant_on = true;        ///< true: the coolant of the warm spindle is on
   int count = 6;
   double damping_ratio = unset;                   ///< damping ratio assigned to every mode [1]
   std::optional<spindle::Unbalance> unbalance{};  ///< unbalance for the path of the nose

@@ -133,7 +133,8 @@ struct Run {
 
 /// A cell of the axisymmetric mesh, for plots.
 struct FieldCell {
-  std::string_view part;                              ///< "shaft", "ring", "housing", "coolant"
+  /// Body of the cell: "shaft", "ring" (a bearing ring or a spacer) or "housing".
+  std::string_view part;
   double start = unset, end = unset;                  ///< distance behind the nose face [m]
   double inner_radius = unset, outer_radius = unset;  ///< [m]
   double temperature = unset;                         ///< [K]
