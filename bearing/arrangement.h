@@ -59,7 +59,8 @@ struct ArrangementDesign {
   /// Axial stiffness between the sets, in series with them [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
   double housing_stiffness = std::numeric_limits<double>::infinity();
-  double distance = 0.0;                            ///< of the sets, for thermal expansion [m]
+  /// Distance of the sets, for thermal expansion [m]
+  double distance = 0.0;
   double shaft_expansion = 11.5 * per_million_K;    ///< [1/K]
   double housing_expansion = 11.5 * per_million_K;  ///< [1/K]
   double mounting_temperature = kelvin(20);         ///< temperature when the preload was set [K]

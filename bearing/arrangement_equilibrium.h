@@ -59,9 +59,9 @@ struct BearingInSet {
   double axial_load = unset;              ///< F_i, its share of the load [N], >= 0
   double displacement = unset;            ///< δ_i, compression, with offset and shift [m]
   double axial_stiffness = unset;         ///< [N/m]
-  BallEquilibrium ball;                   ///< at azimuth 0
+  BallEquilibrium ball;                   ///< ball at azimuth 0
   std::optional<GivenRotation> rotation;  ///< rotation of the balls, if the caller gave it
-  double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest of all contacts [Pa]
+  double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest Hertz pressures [Pa]
   /// Minimum axial load, see minimum_load() [N].
   double minimum_load = unset;
 
@@ -72,7 +72,7 @@ struct BearingInSet {
 /// Shaft position at equilibrium of the sets. Only `report` is set unless the solve converged.
 struct ArrangementEquilibrium {
   double position = unset;  ///< x, from the mounted state, positive towards the tool [m]
-  double front_force = unset, rear_force = unset;  ///< sums over the sides [N]
+  double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   double rear_displacement = unset;                ///< δ_r [m]
   double axial_stiffness = unset;  ///< external load per displacement of the shaft [N/m]
   std::vector<BearingInSet> bearings;
@@ -105,8 +105,8 @@ struct ArrangementEquilibrium {
 /// and two coordinates of one ball of every bearing (thrust loads all balls equally). The balls are
 /// eliminated (Schur complement), and all derivatives are analytic. If the start from standstill or
 /// from the neighbour fails, the solver increases the squared speed, the loads and the shifts in
-/// steps (continuation). The search has no bracket. If there is no equilibrium position, the status
-/// is `no_equilibrium`. A free shaft, with both sets unloaded, is `singular`.
+/// steps (continuation). The status `no_equilibrium` means that the search found no equilibrium; it
+/// is not a proof. A free shaft, with both sets unloaded, is `singular`.
 ///
 /// A bearing without inner contacts carries no load, which is a valid state.
 /// Domain:   speed >= 0; a state with a set in tension is not an equilibrium.

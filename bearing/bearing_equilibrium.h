@@ -23,8 +23,8 @@ struct EquilibriumOptions {
   RaceControl race_control = RaceControl::outer;
   Tilt tilt = Tilt::locked;
   bool gyroscopic_moment = true;  ///< false omits M_g, for comparison
-  double tolerance = 1e-11;       ///< on the scaled residual [1]
-  int max_iterations = 2000;      ///< Newton steps over all stages
+  double tolerance = 1e-11;       ///< limit of the scaled residual [1]
+  int max_iterations = 2000;      ///< limit of Newton steps, over all stages
   /// Rotations of the balls, used instead of race control: one for each ball by azimuth, or one for
   /// all balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one
   /// rotation for each bearing. Ignored at rest. The span must outlive the solve.

@@ -8,8 +8,8 @@ namespace raceway::bearing {
 enum class RaceControl { outer, inner };
 
 /// Speeds of a ball from its contact angles; the inner ring rotates at ω. The laws are rational
-/// functions of the sines and cosines of the contact angles. A solver that knows these as ratios of
-/// lengths needs no trigonometric function.
+/// functions of the sines and cosines of the contact angles. A solver that has these values as
+/// ratios of lengths needs no trigonometric function.
 ///
 /// Orbital (cage) speed, ratio m = ω_m/ω [1]:
 ///
@@ -28,7 +28,7 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 /// the friction forces in the plane of the ball.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
-///   Ti, To = s times the given ones,   s = x (2 - x),   x = Qi/inner_load <= 1
+///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = Qi/inner_load <= 1
 ///
 /// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added to
 /// the ratio m. β, m_c and the given friction forces stay constant while the contact angles change.
@@ -38,7 +38,8 @@ struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]
   double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To as in BallBalance [N]
-  double inner_load = 1.0;                            ///< Qi for this friction [N], > 0
+  /// Qi at which the friction forces are given [N], > 0.
+  double inner_load = 1.0;
   [[nodiscard]] bool operator==(const GivenRotation&) const = default;
 };
 

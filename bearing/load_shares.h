@@ -40,10 +40,10 @@ class LoadShares {
  private:
   struct Sums {
     double w = 0.0, c = 0.0, cc = 0.0;  ///< sums over kept balls: weight, weight c, weight c²
-    double most = -2.0, least = 2.0;    ///< c
+    double most = -2.0, least = 2.0;    ///< largest and smallest c
     void add(double weight, double cosine);
   };
-  /// A kept ball.
+  /// Forces and angles of a kept ball.
   struct Share {
     double radial;      ///< force on the ring [N]
     double inner_load;  ///< negative if the contact would be in tension [N]

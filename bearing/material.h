@@ -12,7 +12,7 @@ struct Material {
   double elastic_modulus = unset;    ///< [Pa], > 0
   double poisson_ratio = unset;      ///< [1], in [0, 0.5)
   double density = unset;            ///< [kg/m³], > 0
-  double thermal_expansion = unset;  ///< linear [1/K], >= 0
+  double thermal_expansion = unset;  ///< coefficient of linear expansion [1/K], >= 0
 };
 
 /// Bearing steel (100Cr6).

@@ -131,7 +131,7 @@ struct BallShare {
   T gain[3];               ///< change of these forces by the ball's own Newton step [N]
   T tangent[6];            ///< derivatives of `force` by (A_axial, A_radial), row-major 3x2 [N/m]
   T imbalance;             ///< imbalance of the ball, squared and scaled [1]
-  BallForcesOf<T> forces;  ///< for the report
+  BallForcesOf<T> forces;  ///< contact loads and forces for the report
 };
 
 template <BallModel model, typename T>
@@ -227,7 +227,7 @@ template <class C, typename T>
 struct RingSums {
   T carried[C::count];              ///< forces of the balls [N]
   T ahead[C::count];                ///< the same forces after the balls' own step [N]
-  T stiffness[C::count][C::count];  ///< with the balls eliminated [N/m]
+  T stiffness[C::count][C::count];  ///< stiffness with the balls eliminated [N/m]
 
   RingSums() {
     for (int i = 0; i < C::count; ++i) {

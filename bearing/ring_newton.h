@@ -19,7 +19,7 @@ struct NewtonLimits {
 /// Progress of the lanes. A lane is true in at most one of the masks after `taken`.
 template <typename T>
 struct NewtonProgress {
-  Mask<T> taken;      ///< moved to the trial state; continues unless it is in a mask below
+  Mask<T> taken;      ///< true: moved to the trial state; continues unless another mask is true
   Mask<T> converged;  ///< residual within the tolerance, and smaller at the trial state
   Mask<T> not_finite, singular, exhausted;
 };
@@ -39,10 +39,10 @@ class RingNewton {
   RingPoint<T> point;
   T ring[5];
   std::vector<PlaneOf<T>> balls;
-  T trial_ring[5];  ///< evaluated by the next pass
+  T trial_ring[5];  ///< trial state, evaluated by the next pass()
   std::vector<PlaneOf<T>> trial_balls;
-  T steps = T(0.0);     ///< made since the start
-  T residual = T(0.0);  ///< at `ring` and `balls` [1]
+  T steps = T(0.0);     ///< number of steps since the start
+  T residual = T(0.0);  ///< scaled residual at `ring` and `balls` [1]
 
   /// Marks the trial state of this lane as a start, not a step.
   void begin(std::size_t i) {

@@ -70,7 +70,7 @@ class RingSystem {
 
   std::vector<InnerContact> contacts;  ///< fixed contacts; empty if the physical law decides
   int newton_limit = 40;               ///< largest number of steps of one newton()
-  double newton_rise = 4.0;            ///< NewtonLimits::rise
+  double newton_rise = 4.0;            ///< largest rise of the merit in a full step, as a factor
 
  private:
   bool fail(SolveStatus why);

@@ -24,8 +24,8 @@ struct RollerOptions {
   double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed, right-handed about y and z [rad]
   /// Radial clearance s in operation [m]; if it is NaN, the clearance of the geometry is used.
   double clearance = unset;
-  double tolerance = 1e-11;  ///< on the imbalance relative to the largest force [1]
-  int max_iterations = 500;  ///< Newton steps
+  double tolerance = 1e-11;  ///< limit of the imbalance relative to the largest force [1]
+  int max_iterations = 500;  ///< limit of Newton steps
 };
 
 /// One roller in equilibrium.

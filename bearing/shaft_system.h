@@ -27,10 +27,10 @@ struct BearingShare {
 
 struct ShaftAssembly {
   std::vector<BearingShare> bearings;
-  BearingShare front, rear;  ///< sums over the sides
+  BearingShare front, rear;  ///< sums over each side
   double shaft_imbalance;    ///< F_f - F_r + d P [N]
   double seat_imbalance;     ///< imbalance of the rear set's seat, in the unit of Arrangement::Seat
-  double residual;           ///< largest of all, scaled [1]
+  double residual;           ///< largest scaled imbalance [1]
   double merit;              ///< sum of squares of the scaled imbalances
 };
 
@@ -86,7 +86,7 @@ class ShaftSystem {
     Plane free;      ///< inner groove centre without displacement
     double offset;   ///< additional compression relative to its set
     double count;    ///< Z
-    bool like_last;  ///< same bearing in the same condition as the previous one, on the same side
+    bool like_last;  ///< true: same bearing, offset, shift, rotation and side as the last member
   };
   struct Step {
     double shaft, rear;

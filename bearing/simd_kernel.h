@@ -25,7 +25,7 @@ struct KernelCall {
   double tolerance;
   KernelBlock* blocks;
   std::size_t count;         ///< number of points
-  BallReport<Eight>* balls;  ///< circle.used() for each block
+  BallReport<Eight>* balls;  ///< circle.used() reports for each block
 };
 
 // Newton's method from the closed-form thrust start for many points in parallel, with their

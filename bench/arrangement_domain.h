@@ -6,7 +6,7 @@
 #include "bearing/arrangement_equilibrium.h"
 #include "bench/robustness_domain.h"
 
-/// The domain over which the solver of arrangements has to hold.
+/// Random bearing sets on which the solver of arrangements must work.
 namespace raceway::robustness {
 
 struct ArrangementCase {
@@ -15,14 +15,17 @@ struct ArrangementCase {
   bearing::EquilibriumOptions options;
 };
 
-/// Set number `index` of a seed; the same on every machine and for any number of threads.
-///   one to four bearings at the front, one to three at the rear, of one kind in half of the cases;
-///   bearings as in make_case(), in one of three cases with balls of silicon nitride
-///   layout O, X or (one in ten) tandem; a quarter on springs of 0 to 100 N/um, constant force in
-///   half of them; half with a shaft and housing of 50 to 5000 N/um between the sets
-///   preload 0.0005 to 0.2 C0 of a bearing, uniform in its logarithm; grinding errors up to 1 um
-///   n d_m of the largest up to 3e6 rpm mm; external load up to 4 preloads either way in half of
-///   the cases in half of the cases rings grown by -5 to 15 um and a shaft longer by -20 to 20 um
+/// Returns arrangement number `index` of a seed; equal on every machine and for any number of
+/// threads.
+///   bearings         one to four in front, one to three at the rear, as in make_case(); equal in
+///                    half of the cases; silicon nitride balls in a third of the cases
+///   layout           tandem in a tenth of the cases, otherwise O or X
+///   mounting         a quarter on springs of 0 to 100 N/um, half of these springs with 0 N/um
+///   stiffness        half with a shaft and a housing of 50 to 5000 N/um
+///   preload          0.0005 to 0.2 C0, uniform in its logarithm; offsets of faces up to 1 um
+///   speed            n d_m up to 3e6 rpm mm for the larger bearing
+///   external load    in half of the cases, up to 4 preloads in either direction
+///   growth           in half of the cases, -5 to 15 um of the rings, -20 to 20 um of the shaft
 inline ArrangementCase make_arrangement(const std::vector<Size>& sizes,
                                         bearing::RaceControl race_control, std::uint64_t seed,
                                         std::uint64_t index) {

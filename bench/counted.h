@@ -6,7 +6,8 @@
 
 namespace raceway::limit {
 
-/// A double that counts what is done with it: the solver's own code says what it computes.
+/// A double that counts the operations on it. The solver runs with this type, so its own code is
+/// counted.
 struct Counted {
   double value = 0.0;
   static inline long roots = 0, divisions = 0, products = 0, sums = 0;

@@ -4,11 +4,12 @@
 
 namespace raceway::robustness {
 
-/// Looks for an equilibrium by brute force: a grid over the displacements of the inner ring, at
-/// each node every ball solved by itself with its contact to the inner race held and with it lost,
-/// and from every pattern of contacts that occurs a Newton iteration on all unknowns at once
-/// (dense, by difference quotients). Shares the ball's balance with the solver and nothing of its
-/// search. Only for loads in the x-y plane. `nodes` is the number of grid lines in each direction.
+/// Returns true if a search on a grid of inner ring displacements finds an equilibrium. At each
+/// node, every ball is solved separately, once with a preference for the contact with the inner
+/// race and once with a preference for the lost contact. Each pattern of contacts that occurs is
+/// the start of a Newton iteration for all unknowns, with difference quotients as derivatives. The
+/// function uses ball_balance() of the solver, but not its search. The loads must be in the x-y
+/// plane. `nodes` is the number of grid lines in each direction.
 [[nodiscard]] bool scan_finds_equilibrium(const bearing::Bearing& bearing,
                                           const bearing::OperatingPoint& point,
                                           const bearing::EquilibriumOptions& options, int nodes);

@@ -4,12 +4,13 @@
 
 namespace raceway::limit {
 
-/// Arithmetic of one ball in one step of Newton's method.
+/// Numbers of arithmetic operations for one ball in one step of Newton's method.
 struct Operations {
   long roots, divisions, fused;  ///< fused multiply-adds
 };
 
-/// Does that much `count` times, each on a whole SIMD register, without waiting for results.
+/// Executes the operations `each` on whole SIMD registers, `count` times. Operations overlap, so
+/// the throughput and not the latency limits the speed.
 void do_operations(bearing::InstructionSet set, const Operations& each, long count);
 
 void do_sse2(const Operations& each, long count);

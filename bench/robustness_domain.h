@@ -10,10 +10,10 @@
 
 #include "bearing/bearing_equilibrium.h"
 
-/// The domain over which the solver has to hold: real spindle bearings under random loads.
+/// Random loads on real spindle bearings, for which the solver must work.
 namespace raceway::robustness {
 
-/// Outer and inner dimensions of one catalogue bearing.
+/// Balls, pitch diameter and load rating of one catalogue bearing.
 struct Size {
   int ball_count;
   double ball_diameter, pitch_diameter;  ///< [m]
@@ -27,7 +27,7 @@ struct Case {
   double rating = unset;  ///< C0 of the size [N]
 };
 
-/// The next number of a SplitMix64 stream, whose streams need no warm-up.
+/// Returns the next number of a SplitMix64 generator, which needs no warm-up.
 inline double uniform_number(std::uint64_t& state, double lower, double upper) {
   std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -36,10 +36,11 @@ inline double uniform_number(std::uint64_t& state, double lower, double upper) {
   return lower + (upper - lower) * static_cast<double>(z >> 11) * 0x1.0p-53;
 }
 
-/// Case number `index` of a seed; the same on every machine and for any number of threads.
-///   contact angle 12 to 25 deg, conformities 0.51 to 0.54, n d_m up to 3e6 rpm mm,
-///   axial load 0.0005 to 0.5 C0 (uniform in its logarithm), radial load 0 to 0.8 of the axial one,
-///   in one of three cases in a direction between the balls, tilt locked or free.
+/// Returns case number `index` of a seed; equal on every machine and for any number of threads. The
+/// contact angle is 12 to 25 deg, the conformities are 0.51 to 0.54, and n d_m is up to 3e6 rpm mm.
+/// The axial load is 0.0005 to 0.5 C0, uniform in its logarithm. The radial load is 0 to 0.8 times
+/// the axial load, in a third of the cases in any direction, otherwise along y. The tilt is locked
+/// or free.
 inline Case make_case(const std::vector<Size>& sizes, bearing::RaceControl race_control,
                       std::uint64_t seed, std::uint64_t index) {
   std::uint64_t state = seed * 0x9e3779b97f4a7c15ULL + index * 0xd1342543de82ef95ULL;

@@ -8,8 +8,8 @@
 #include "bearing/solve_many.h"
 #include "bench/robustness_domain.h"
 
-/// Everything that a model file and the command line allow, likely or not: where a solver must
-/// still say what it has found.
+/// Random bearings over the whole range that a model file and the command line allow. The solver
+/// must return a correct status even for unlikely bearings.
 namespace raceway::robustness {
 
 struct WildCase {
@@ -18,11 +18,13 @@ struct WildCase {
   bearing::EquilibriumOptions options;
 };
 
-/// Case number `index` of a seed; the same on every machine.
-///   Z 3 to 200, ball diameter 0.1 to 300 mm, contact angle 0.1 to 65 deg, conformities 0.5005 to
-///   0.7, speed 1e-9 to 1e6 rpm, axial load 1e-9 to 1e8 N, radial load and moments none or up to
-///   ten times as much, all uniform in their logarithm; steel or ceramic balls, both race controls,
-///   tilt locked or free. One in ten each stands still, or has no axial load.
+/// Returns case number `index` of a seed; equal on every machine. A bearing has 3 to 200 balls of
+/// 0.1 to 300 mm and conformities f of 0.5005 to 0.7. The speed is 1e-9 to 1e6 rpm, and the axial
+/// load is 1e-9 to 1e8 N. Radial loads and the moment over the pitch diameter are zero or up to ten
+/// times the axial load. These numbers (f - 0.5 for f) are uniform in their logarithm. The contact
+/// angle is uniform from 0.1 to 65 deg. A tenth of the cases is at standstill, and a tenth has no
+/// axial load. The balls are steel or ceramic, the race control is outer or inner, and the tilt is
+/// locked or free.
 inline WildCase make_wild_case(std::uint64_t seed, std::uint64_t index) {
   std::uint64_t state = seed * 0x9e3779b97f4a7c15ULL + index * 0xd1342543de82ef95ULL;
   const auto uniform = [&state](double lower, double upper) {
@@ -60,8 +62,8 @@ inline WildCase make_wild_case(std::uint64_t seed, std::uint64_t index) {
   return c;
 }
 
-/// Every number of a converged result, but the inner contact angle of a ball that has lost the race
-/// and the outer one of a ball that lies loose at rest.
+/// Returns true if all numbers of a converged result are finite, except the inner contact angle of
+/// a ball without inner load and the outer contact angle of a ball without outer load.
 inline bool finite_if_converged(const bearing::BearingEquilibrium& e) {
   if (!e.report.converged()) return true;
   const auto finite = [](std::initializer_list<double> numbers) {

@@ -10,18 +10,20 @@
 #include "effects/spindle_condition.h"
 #include "spindle/spindle.h"
 
-/// Spindles of any shape, likely or not: where a simulation must still say how it ended.
+/// Random spindles of likely and unlikely shapes. The simulation must return a correct status for
+/// each of them.
 namespace raceway::robustness {
 
 struct WildSpindle {
   model::Model model;
   effects::SpindleCondition condition;
   spindle::Inputs inputs;
-  /// A cold jump, a minute with the coolant the other way round, another speed to the end.
+  /// Ten minutes at one speed from the cold state, one minute with the coolant switched on or off,
+  /// then another speed.
   std::vector<spindle::ProfileRow> programme;
 };
 
-/// Draws the parts of a spindle, one behind the other.
+/// Draws random parts of a spindle.
 class WildParts {
  public:
   WildParts(std::uint64_t seed, std::uint64_t index)
@@ -63,7 +65,7 @@ class WildParts {
     return static_cast<std::size_t>(std::min(uniform(0.0, most), most - 1e-9)) + 1;
   }
 
-  /// Bores of 15 to 150 mm.
+  /// Draws the dimensions of a bearing with a bore of 15 to 150 mm.
   void draw_sizes() {
     bore_ = spread(15.0, 150.0) * mm;
     ball_ = bore_ * uniform(0.1, 0.25);
@@ -73,7 +75,8 @@ class WildParts {
     rating_ = 12e6 * balls_ * ball_ * ball_;
   }
 
-  /// 5 to 45 degrees, conformities 0.505 to 0.58, balls of steel or ceramic.
+  /// Returns a bearing with a contact angle of 5 to 45 degrees, conformities of 0.505 to 0.58, and
+  /// steel or ceramic balls.
   std::shared_ptr<const bearing::Bearing> any_bearing() {
     return std::make_shared<const bearing::Bearing>(
         bearing::BearingGeometry{.ball_count = balls_,
@@ -93,8 +96,8 @@ class WildParts {
     return {at_40 * mm2_per_s, std::pow(at_40, uniform(0.5, 0.75)) * mm2_per_s};
   }
 
-  /// O, X or (one in eight) tandem; rigid or on springs; one to four bearings a side; preloads of
-  /// 0.0005 to 0.1 C0, or as an offset.
+  /// Returns an arrangement: tandem in an eighth of the cases, otherwise O or X; rigid or with
+  /// springs; one to four bearings on each side; a preload force of 0.0005 to 0.1 C0, or an offset.
   bearing::ArrangementDesign any_sets(const std::shared_ptr<const bearing::Bearing>& first) {
     bearing::ArrangementDesign d;
     d.layout = one_in(8)   ? bearing::Layout::tandem
@@ -146,7 +149,7 @@ class WildParts {
     s.preload_feedback = !one_in(4);
   }
 
-  /// Any pieces between, before and behind the seats.
+  /// Adds shaft segments of random sizes in front of, between and behind the seats.
   void add_shaft(model::Spindle& s) {
     const bool hollow = !one_in(4);
     const double share = uniform(0.1, 0.85);
@@ -201,7 +204,7 @@ class WildParts {
                                .stagnant = one_in(5) ? 0.0 : spread(1.0, 100.0)};
   }
 
-  /// Seats from loose to tight, films from none to many times the usual.
+  /// Draws seats from loose to tight, and heat transfer from zero to many times the usual value.
   void add_surroundings(model::Spindle& s) {
     s.cells = model::Cells::coarse;
     s.seat = {.inner_interference = uniform(-10.0, 40.0) * um,
@@ -237,8 +240,8 @@ class WildParts {
             .other_preload_feedback = uniform(0.0, 1.0)};
   }
 
-  /// n d_m from 1e4 to 2.5e6 rpm mm, at rest one in ten; a load of up to four preloads one in
-  /// three.
+  /// Adds the programme. A speed has n d_m from 1e4 to 2.5e6 rpm mm, or is zero in a tenth of the
+  /// cases. A third of the cases has an axial load of up to four preloads.
   void add_programme(WildSpindle& w) {
     const auto speed = [&] { return one_in(10) ? 0.0 : spread(1e4, 2.5e6) / (pitch_ / mm) * rpm; };
     w.inputs.speed = speed();
@@ -261,12 +264,12 @@ class WildParts {
   std::size_t front_ = 0, rear_ = 0;
 };
 
-/// Spindle number `index` of a seed; the same on every machine.
+/// Returns spindle number `index` of a seed; equal on every machine.
 inline WildSpindle make_wild_spindle(std::uint64_t seed, std::uint64_t index) {
   return WildParts(seed, index).draw();
 }
 
-/// Every number of a moment.
+/// Returns true if all numbers of a moment are finite and the moment has bearings.
 inline bool finite(const spindle::Moment& m) {
   const auto all = [](std::initializer_list<double> numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });

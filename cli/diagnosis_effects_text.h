@@ -21,7 +21,7 @@ void print_effects(const verdict::Diagnosis& d);
 /// Prints confidence intervals for the sizes of the effects in the verdict, and the changes of the
 /// base parameters.
 void print_intervals(const verdict::Diagnosis& d);
-/// Prints the other base models tested.
+/// Prints the other base models that the diagnosis has tested.
 void print_other_bases(const verdict::Diagnosis& d);
 
 }  // namespace raceway::cli

@@ -15,8 +15,8 @@ class TextTable {
   struct Column {
     std::string name;
     std::string unit;
-    bool left = false;   ///< left-aligned, for words
-    bool wraps = false;  ///< for the last column: the text fills the remaining width
+    bool left = false;   ///< true: the cells are left-aligned, for words
+    bool wraps = false;  ///< true: the text of the last column fills the remaining width
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }

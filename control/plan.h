@@ -31,7 +31,7 @@ struct ControlInput {
   std::string identifier{};  ///< unique name for languages without hyphens
   std::string unit{};        ///< "C"
   bool temperature = false;
-  bool by_amount = true;  ///< the absolute value is used: speeds, feeds, coolant
+  bool by_amount = true;  ///< true: the absolute value is used, as for speeds, feeds and coolant
   /// Range of the input in the data of the fit; NaN if not known. For several models, it is the
   /// intersection of their ranges.
   double lowest = unset, highest = unset;
@@ -152,13 +152,13 @@ struct ControlKinematic {
 /// One displacement.
 struct ControlAxis {
   std::string column{};      ///< "displacement_z_um"
-  std::string identifier{};  ///< as in ControlInput
+  std::string identifier{};  ///< unique name for languages without hyphens
   std::string name{};        ///< name of the model
   std::string letter{};      ///< machine axis that the output moves: "z"; empty if not given
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
   double unit_um = 1.0;  ///< unit of the output, in um
   bool counts = false;   ///< true: the output is a whole number of these units
-  std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts", "offset_b_urad"
+  std::string output{};  ///< name of the output, such as "offset_z_um" or "offset_z_counts"
   bool angle = false;    ///< true: all numbers in um are in urad instead
   double offset_um = 0.0;
   /// Trust in the model as a text from correction::name(), and the reason. Both are empty if the

@@ -17,8 +17,8 @@ namespace raceway::correction {
 /// The model has no memory and extrapolates linearly. The fit leaves out channels driven by a
 /// power, inputs that never vary, and inputs that depend linearly on other inputs. A message names
 /// each input that is left out. Standard errors are widened for the autocorrelation of the
-/// residual. The held-out error comes from eight parts of the record. Each part is predicted with
-/// coefficients that are fitted to the other parts.
+/// residual. The held-out error comes from eight parts of the record. Each of these parts is
+/// predicted with coefficients that are fitted to the other seven.
 ///
 /// Throws std::invalid_argument if no input varies or there are too few readings.
 /// Source:   least squares by QR decomposition, see regression.h.

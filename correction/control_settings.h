@@ -45,7 +45,7 @@ struct ControlSettings {
   ByColumn<std::string> axis{};    ///< letter of the axis; empty: LETTER of displacement_LETTER_um
   // Settings of inputs, by their column.
   ByColumn<ControlLimits> plausible{
-      {-40.0, 150.0}, {}};  ///< `all`: for temperatures only; others: 10 times their largest value
+      {-40.0, 150.0}, {}};  ///< `all` is for temperatures; other inputs: 10 times the largest value
   /// Largest allowed change per second; 0: not checked. `all` applies to temperatures only.
   ByColumn<double> fastest_per_s{1.0};
   /// Longest allowed time without a change; 0: not checked. `all` applies to temperatures only.

@@ -36,8 +36,8 @@ struct DelayElement {
 /// Computes the displacement at every row [m]. The input is in the unit of its column. Between
 /// rows, the input is constant; Clock::settings_hold selects the row with its value. Every run
 /// begins at rest. After the first input outside the domain, the result is NaN until the end of the
-/// run. Beyond the range of the fit, K and T follow continued(). An input of 0 always gives the
-/// target 0.
+/// run. Beyond the range of the fit, continued() extrapolates K and T. An input of 0 always gives
+/// the target 0.
 void delay_response(const Clock& clock, std::span<const double> input, const DelayElement& element,
                     std::span<double> displacement, const Interval& seen = {});
 

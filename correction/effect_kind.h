@@ -19,7 +19,7 @@ struct EffectCard {
   std::string_view title;
   std::string_view form;      ///< formula with u: input, x: state, y: displacement
   std::string_view needs;     ///< description of the record that the effect needs
-  std::string_view confused;  ///< effects with which it may be confused
+  std::string_view confused;  ///< effects with a similar influence
   /// Parameters in the units of files. The unit "um/u" means um per unit of the input.
   std::span<const record::NumberCard> numbers;
   std::size_t size = 0;     ///< index of the parameter whose neutral value switches the effect off
@@ -33,14 +33,14 @@ struct EffectCard {
   /// True if the record itself shows the effect; such an effect has no parameter and is never
   /// switched on.
   bool evidence = false;
-  bool needs_input = false;  ///< true: a file must name its columns
+  bool needs_input = false;  ///< true: a file must name the columns of the effect
 };
 
 /// Properties of a record that determine on which channels and columns effects can act.
 struct Surroundings {
   const Model& model;
   std::span<const Channel* const> varying{};  ///< inputs of the record that vary
-  std::span<const Interval> ranges{};         ///< range of each of these inputs [SI]
+  std::span<const Interval> ranges{};         ///< range of each varying input [SI]
   std::span<const double> jump_times{};       ///< times at which the displacement jumps [s]
   double end = 0.0;                           ///< end of the record: 1 s after the last row [s]
 
@@ -85,7 +85,7 @@ class EffectKind {
   [[nodiscard]] virtual std::vector<double> choices(std::size_t number,
                                                     const Surroundings& in) const;
 
-  /// Returns those of EffectCard::numbers that this effect uses.
+  /// Returns the entries of EffectCard::numbers that this effect uses.
   [[nodiscard]] virtual std::span<const record::NumberCard> numbers(const Effect& effect) const;
   /// Returns true if a file may omit this parameter and the following ones.
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;

@@ -13,7 +13,8 @@ struct LagBankOptions {
   /// empty, usual_lags() is used.
   std::vector<double> time_constants{};
   std::function<void(double share, std::string_view step)> progress{};
-  std::function<bool()> cancelled{};  ///< cancels like IdentifyOptions::cancelled
+  /// If this returns true, identify_lag_bank() throws fit::Cancelled.
+  std::function<bool()> cancelled{};
 };
 
 /// Returns an instant response (0) and lags [s] that begin at a hundredth of the longest run and

@@ -58,7 +58,7 @@ struct Input {
   /// Exponent for a speed n. The input is n (n/1000 rpm)^(exponent - 1). An exponent above 1
   /// describes heat that rises faster than n.
   double exponent = 1.0;
-  Interval seen{};  ///< range of the speed in the fit [SI]; continued() applies beyond it
+  Interval seen{};  ///< speed range of the fit [SI]; continued() extrapolates beyond it
   /// Friction table of a power input. The power is the torque from the table times the speed.
   std::shared_ptr<const FrictionTable> table{};
   TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other coordinates in the table
@@ -105,10 +105,10 @@ struct Kinematic {
 /// An effect of the catalogue that is switched on.
 struct Effect {
   std::string id{};
-  std::string where{};  ///< channel or axis on which it acts; empty if there is none
+  std::string where{};                    ///< channel or axis of the effect; empty without one
   std::vector<const Channel*> columns{};  ///< the mean of these columns drives the effect
-  std::optional<Window> window{};         ///< window in which it acts
-  std::vector<double> values{};           ///< parameter values in the units of its card
+  std::optional<Window> window{};         ///< window in which the effect acts
+  std::vector<double> values{};           ///< parameter values in the units of EffectCard
   /// user-defined effect; null for an effect of the catalogue
   std::shared_ptr<const OwnEffect> own{};
   bool off = false;  ///< true: a user-defined effect that is only a candidate
@@ -154,7 +154,7 @@ struct Left {
 
 /// Evidence for a fitted model from readings that the fit did not use. trust_of() judges it.
 struct Evidence {
-  double error = unset;  ///< rms error on these readings; NaN if there are none [m]
+  double error = unset;  ///< rms error on readings that the fit did not use; NaN without them [m]
   /// Rms of the readings after subtracting one constant from each run [m].
   double uncorrected = unset;
   double duration = unset;  ///< duration of the readings of the longest run [s]

@@ -19,7 +19,8 @@ struct TimeConstantLimits {
 /// A parameter of a model that may be fitted.
 struct Number {
   record::Parameter parameter{};  ///< for example "spindle.gain_1", in the units of the files
-  std::string group{};  ///< "gains", "time_constants", "offset", "kinematic", "scale" or "effects"
+  /// Group of numbers: "gains", "time_constants", "offset", "kinematic", "scale" or "effects".
+  std::string group{};
   double* place = nullptr;  ///< address of the value in the model
   double factor = 1.0;      ///< ratio of the value in the model to the value of the parameter
 };

@@ -64,7 +64,7 @@ struct Beyond {
     /// [SI]; for the joint range: limits of the distance, from 0.
     double lower = unset, upper = unset;
     std::size_t rows = 0, first = 0;  ///< number of rows, and the first of them
-    double value = unset;             ///< value in that first row
+    double value = unset;             ///< value in the row `first`
     double farthest = unset;          ///< value farthest outside the range
     [[nodiscard]] bool together() const { return name.empty(); }
   };

@@ -21,7 +21,7 @@ struct Answer {
   /// Parameters s and g of effects/speed_dependent_time_constant.h.
   double speed_factor = 0.0, gain_power = 1.0;
   double falling = 1.0;  ///< factor on τ while the input is below the state of the lag
-  Interval speed{};      ///< speed range of the fit [rpm], beyond which s and g are continued()
+  Interval speed{};      ///< speed range of the fit [rpm]; see continued()
 
   [[nodiscard]] bool is_plain() const {
     return sensor_time_constant == 0.0 && off_gain == 1.0 && off_time_constant == 1.0 &&
@@ -74,12 +74,13 @@ class Series {
   /// Returns the state of a lag of this input, in the unit of the input and multiplied by the
   /// weight of its window.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
-  /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit, the
-  /// value follows continued(). The lower end of the range is standstill, where the value is 0.
+  /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit,
+  /// continued() extrapolates the value. The lower end of the range is standstill, where the value
+  /// is 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
   /// Returns the state of a lag whose input is exp(-n/n0), where n is the speed and n0 is
-  /// `decay_speed_rpm`. At standstill, the input is 0. Beyond the speed range of the fit, the input
-  /// follows continued().
+  /// `decay_speed_rpm`. At standstill, the input is 0. Beyond the speed range of the fit,
+  /// continued() extrapolates the input.
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
                              const Interval& seen = {}) const;
   /// Returns exp(-t/tau) with the time t from the first row of the first run; 0 in later runs.

@@ -50,7 +50,7 @@ using Share =
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
 /// Simulates a contribution on a record and passes its terms to `sink`. `seen` is the speed range
-/// of the fit [rpm]. Beyond this range, laws of the speed follow continued().
+/// of the fit [rpm]. Beyond this range, continued() extrapolates laws of the speed.
 void add_share(const Share& share, const Series& series, const Interval& seen, const Sink& sink);
 
 }  // namespace raceway::correction

@@ -16,7 +16,7 @@ struct StepResponse {
   std::string unit{};   ///< "K"; empty for an input without a unit
   struct Part {
     std::string name{};            ///< "section 1", or the effect that added the part
-    double gain = unset;           ///< final displacement after this step [m]
+    double gain = unset;           ///< final displacement after the step [m]
     double time_constant = unset;  ///< [s]
   };
   std::vector<Part> parts{};

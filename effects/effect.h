@@ -159,14 +159,14 @@ using TangentAbout = std::function<MomentTangent(double temperature)>;
 struct MomentInputs {
   /// State with the true loads and the viscosity of the film.
   const friction::BearingState<double>& state;
-  friction::BaseMoments<double> base;  ///< moments of the base law in this state [N m]
+  friction::BaseMoments<double> base;  ///< moments of the base law in `state` [N m]
   const Record& record;
 };
 
 /// Inputs of an effect on the reading of a measured channel.
 struct ReadingInputs {
-  double value;                          ///< predicted value of that channel [SI]
-  const bearing::OperatingPoint& point;  ///< on a shaft, its axial load is the external load
+  double value;                          ///< predicted value of the measured channel [SI]
+  const bearing::OperatingPoint& point;  ///< with the external axial load on a shaft
   const Record& record;
 };
 
@@ -202,9 +202,9 @@ struct Requirements {
   bool uses_room = false;          ///< true: the effect uses Entry::room
   /// Further bearing data that the effect uses, with the names of friction::bearing_data().
   std::span<const std::string_view> bearing_data = {};
-  bool for_rig = true;      ///< allowed in a model of a bearing on a rig
-  bool for_shaft = true;    ///< allowed in a model of a shaft
-  bool for_spindle = true;  ///< allowed in a model of a spindle
+  bool for_rig = true;      ///< true: allowed in a model of a bearing on a rig
+  bool for_shaft = true;    ///< true: allowed in a model of a shaft
+  bool for_spindle = true;  ///< true: allowed in a model of a spindle
 
   /// Returns true if the effect can act with this supply. An unknown supply counts as suitable.
   [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
@@ -223,12 +223,13 @@ struct Exclusions {
   /// Text with the keys of the contact law that replace the effect, if the contact law already
   /// contains the effect. Empty if the effect may be added to the contact law.
   std::string_view within_contacts = {};
-  bool within_oil_fraction = false;  ///< true: the contact law contains it if oil_fraction > 0
+  /// True: the contact law contains the effect if oil_fraction > 0.
+  bool within_oil_fraction = false;
   /// True: the effect changes the viscous moment, which a friction table does not separate from the
   /// rest. Effects on the lubricant and corrections of the base law need no flag.
   bool of_viscous_moment = false;
   /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
-  /// that use ball loads may leave it empty: rollers never have them.
+  /// that use ball loads may leave this text empty: rollers never have such effects.
   std::string_view not_for_rollers = {};
 };
 

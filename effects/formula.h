@@ -17,7 +17,7 @@ using record::FormulaError;
 class OwnMoment {
  public:
   virtual ~OwnMoment() = default;
-  /// [N m]
+  /// Returns the friction moment [N m].
   [[nodiscard]] virtual double moment(const MomentInputs& inputs,
                                       std::span<const double> values) const = 0;
   /// Returns true if a model file can store the moment. This is true for a formula, and false for a

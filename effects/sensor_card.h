@@ -18,7 +18,7 @@ struct SensorCard {
   std::array<std::string_view, confused> confused_with;
   Parameter size;
   bool follows_heat = false;
-  double size_power = 0.0;  ///< Nature::size_power
+  double size_power = 0.0;  ///< exponent of the pitch diameter in the plausible range
   std::string_view settled_by = {};
 };
 

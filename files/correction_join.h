@@ -17,7 +17,8 @@ struct JoinedCorrection {
 
 /// Sums corrections of one displacement. The joined file has the channels, laws and effects of all
 /// files, unchanged. Offsets are added. A range that several files give becomes the intersection of
-/// these ranges. Parameters that a file fits stay free, and so do parameters with a prior.
+/// these ranges. Free parameters of a file stay free, and parameters with a prior become free. The
+/// kinematic law of a file without a list of free parameters is fixed unless it has a prior.
 /// Parameters fitted to a record get a prior from their covariance, except for the offset. Delay
 /// elements and laws from step responses that were never fitted get the priors of
 /// correction/prior.h. The priors are needed because a record of the whole machine seldom separates

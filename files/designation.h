@@ -21,10 +21,10 @@ namespace raceway::files {
 /// Source: SKF, Super-precision bearings, 13383, and for the series of SNFA 06939 (HB, HX) and
 /// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
 /// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260, p. 56, and ULTAGE, 7000
-/// and 7900; GMN, High Precision Ball Bearings, 4001. Only text copies were available: for Barden
-/// and NTN of the pages given here, for SKF of the titles. The other catalogues were not read. The
-/// codes for angle, balls and preload of NSK, NTN and FAG were compared with tables of dealers. The
-/// angle digits of SNFA were not checked.
+/// and 7900; GMN, High Precision Ball Bearings, 4001. Only text copies of the catalogues were
+/// available: of the pages above for Barden and NTN, of the titles for SKF. The other catalogues
+/// were not read. The codes for angle, balls and preload of NSK, NTN and FAG were compared with
+/// tables of dealers. The angle digits of SNFA were not checked.
 struct Designation {
   std::string series{};          ///< as written: "70", "719", "VEX", GMN "60", "619"
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
@@ -33,7 +33,7 @@ struct Designation {
   std::string angle_code{};      ///< "AC"
   bool ceramic_balls = false;
   std::string ball_code{};    ///< code of ceramic balls: "HC"
-  std::string preload{};      ///< "light", "medium", "heavy", "extra light"
+  std::string preload{};      ///< preload class: "light", "medium", "heavy" or "extra light"
   std::string arrangement{};  ///< "DB", "DF", "DT"
   std::string other_type{};   ///< type if it has no angular contact: "a cylindrical roller bearing"
 

@@ -20,7 +20,7 @@ struct Form {
   double lower = unset, upper = unset;  ///< closed range of a number, in `unit`
   std::string_view unit{};              ///< "" if dimensionless
   std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
-  bool whole = false;        ///< a whole number
+  bool whole = false;        ///< true: the number must be whole
 
   /// Returns the allowed texts as a list.
   [[nodiscard]] std::vector<std::string> choices() const {
@@ -39,7 +39,7 @@ struct Required {};
 struct Default {
   double value = unset;      ///< value of a number, in its unit; NaN without words: no default
   std::string_view words{};  ///< one of the allowed texts, or the origin of the default
-  bool required = false;     ///< no default: the key is required in its table
+  bool required = false;     ///< true: the key has no default, and its table must contain it
 
   constexpr Default() = default;
   template <std::floating_point Number>

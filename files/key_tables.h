@@ -11,8 +11,8 @@ namespace raceway::files {
 
 /// A key of model files with its table.
 struct ListedKey {
-  std::string_view table;  ///< as KeyTable::name
-  std::string_view only;   ///< as KeyTable::only
+  std::string_view table;  ///< name of the table, as in KeyTable
+  std::string_view only;   ///< restriction of the table, as in KeyTable
   Key key;
 
   [[nodiscard]] std::string meaning() const;

@@ -21,7 +21,7 @@ struct ModelDatum {
   std::string name;
   double value;  ///< in the unit of its name
   Origin origin = Origin::file;
-  bool whole = false;   ///< true: a count
+  bool whole = false;   ///< true: the value is a count
   bool marked = false;  ///< true: the file marks the value as a guess
 };
 

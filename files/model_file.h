@@ -73,8 +73,8 @@ struct KeyValue {
 
 /// Returns the text of a file with the numbers of `fitted`: every number of model::parameters() at
 /// all its addresses, the effects that the file lacks, and the covariance of the fitted numbers.
-/// Nothing else changes. A changed number has 15 digits, as in results. Throws like with_values().
-/// Also throws InputError if the covariance in the file is a table in braces, and
+/// Nothing else changes. A changed number has 15 digits, as in results. Throws the same exceptions
+/// as with_values(). Also throws InputError if the covariance in the file is a table in braces, and
 /// std::invalid_argument if the covariance has a parameter that the model lacks.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 

@@ -8,7 +8,7 @@ namespace raceway::files {
 /// Kinds of tables in a model file. They are empty if the text is not TOML; the reader of the model
 /// then reports the error.
 struct ModelParts {
-  bool bearing = false;                      ///< has [bearing]
+  bool bearing = false;                      ///< true: the file has a table [bearing]
   std::vector<std::string> displacements{};  ///< names in [correction] or in each [[correction]]
 };
 [[nodiscard]] ModelParts parts_of(const std::string& text);

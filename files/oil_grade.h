@@ -18,7 +18,7 @@ struct OilGrade {
 [[nodiscard]] OilGrade oil_grade(std::string_view words);
 
 /// Returns the table [lubricant] of a new model: viscosities of the oil, or of a thin spindle oil
-/// if `oil` is empty. Throws like oil_grade().
+/// if `oil` is empty. Throws the same exceptions as oil_grade().
 [[nodiscard]] std::string lubricant_lines(std::string_view oil);
 
 }  // namespace raceway::files

@@ -12,9 +12,9 @@ namespace raceway::files {
 /// axial_displacement_um. Other columns are not used in calculations, and a note lists them.
 ///
 /// An empty cell of a measured column means that there is no reading. Inputs are filled between
-/// their readings, as in read_series(). Throws like read_series(), for a column whose name looks
-/// like a misspelt sensor, for a load that the model cannot carry, and if a heat formula of the
-/// model needs a column that is missing.
+/// their readings, as in read_series(). Throws the same exceptions as read_series(). Also throws
+/// for a column whose name looks like a misspelt sensor, for a load that the model cannot carry,
+/// and if a heat formula of the model needs a column that is missing.
 [[nodiscard]] record::Record read_spindle_record(const Source& source,
                                                  const model::Spindle& spindle,
                                                  const ReadOptions& options = {});

@@ -17,7 +17,7 @@ struct LoadCase {
   double speed = unset;                           ///< [rad/s]; NaN: only the power is known
   double at_once = 0.0;                           ///< displacement at t = 0 [m]
   std::vector<double> time = {};                  ///< [s]
-  std::vector<double> displacement = {};          ///< after subtracting at_once [m]
+  std::vector<double> displacement = {};          ///< displacement after subtracting `at_once` [m]
   text::Place place = {};                         ///< place of the first row
 };
 

@@ -36,7 +36,7 @@ struct TableFile {
 
 /// A slab and its file name.
 struct SlabText {
-  std::string name;  ///< for messages
+  std::string name;  ///< file name, for messages
   std::string text;
 };
 

@@ -15,7 +15,7 @@ namespace raceway::fit {
 struct CostlyFit {
   SeparableFit fit{};
   Eigen::MatrixXd slope{};
-  std::shared_ptr<const CostlyFit> begin{};  ///< fit from which this one started
+  std::shared_ptr<const CostlyFit> begin{};  ///< fit from which this fit started
 };
 
 /// Stopping rule of a fit.

@@ -46,7 +46,7 @@ struct Factor {
 struct Formula {
   struct Input {
     std::string word;            ///< name in the formula: "speed_rpm"
-    std::string exponent;        ///< name of its exponent: "a"
+    std::string exponent;        ///< name of the exponent: "a"
     std::vector<double> values;  ///< value of each row, in the unit of the name
   };
   std::string key;      ///< key of the formula in a model file
@@ -81,7 +81,7 @@ struct Fault {
 
 /// Blocks of rows. All rows of one block are held out together.
 struct Blocking {
-  std::string variable;      ///< Channel::variable of the held-out input
+  std::string variable;      ///< name of the held-out input, as in Channel::variable
   std::vector<int> block{};  ///< block of each row
   int blocks = 0;
   std::vector<std::string> untold{};  ///< names of the inputs that vary only outside all blocks

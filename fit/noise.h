@@ -36,10 +36,11 @@ struct Noise {
 
 /// Readings that were repeated during one stop, for example by several approaches of a probe.
 struct Stop {
-  double time = unset;  ///< time of its first reading [s]
+  double time = unset;  ///< time of the first reading [s]
   int readings = 0;
   double mean = unset;  ///< [SI]
-  double std = unset;  ///< standard deviation of one reading, from this stop only [SI]; NaN for one
+  /// Standard deviation of one reading, from this stop only [SI]; NaN for a single reading.
+  double std = unset;
 };
 
 /// Repeatability of a measured channel over all stops.

@@ -44,7 +44,8 @@ struct NoiseModel {
   /// True if the data cannot show offsets of runs, because a setting also changes with every change
   /// of run.
   bool unknown_runs = false;
-  bool undeclared_blocks = false;  ///< `run_share` describes blocks that are not declared as runs
+  /// True: `run_share` describes blocks that are not declared as runs.
+  bool undeclared_blocks = false;
   bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
   std::vector<std::size_t> outliers{};  ///< readings with reduced weight; none is left out
   /// Factor on the standard deviations of each joined record [1]; empty if all records have the
@@ -79,8 +80,9 @@ struct NoiseOptions {
 /// Readings of one channel, prepared for the estimate of their noise.
 struct ChannelReadings {
   Eigen::VectorXd measured{};  ///< SI
-  Eigen::VectorXd std{};       ///< declared [SI]; empty unless every reading has one
-  bool known = false;          ///< true if `std` is practically exact
+  /// Declared standard deviations [SI]; empty unless every reading has one.
+  Eigen::VectorXd std{};
+  bool known = false;  ///< true if `std` is practically exact
   /// Change of each reading when a scattering input changes by the width of a level [SI]; empty if
   /// no input scatters.
   Eigen::VectorXd slope{};

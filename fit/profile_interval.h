@@ -30,9 +30,9 @@ struct ProfileInterval {
 /// interval is value +- 1.96 factor std.
 ///
 /// If χ² does not rise by this amount within the bounds, the interval is open and ends at the
-/// bound. Without a bound, the open end is infinite. An end is NaN if fits on the way to it do not
-/// converge. Each end is accurate to 1e-4 of its distance from the fitted value. An end needs one
-/// refit of a linear model, and about five refits of other models.
+/// bound. Without a bound, the open end is infinite. An end is NaN if a refit between the fitted
+/// value and this end does not converge. Each end is accurate to 1e-4 of its distance from the
+/// fitted value. An end needs one refit of a linear model, and about five refits of other models.
 [[nodiscard]] ProfileInterval profile_interval(const Response& response, const ResponseFit& fit,
                                                const Whitening& whitening,
                                                const Eigen::VectorXd& measured,

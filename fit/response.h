@@ -20,7 +20,7 @@ namespace raceway::fit {
 /// predictions at points within the bounds. If both agree to rounding, `constant + slope x` is
 /// stored, and fits need no iteration.
 struct Response {
-  std::vector<Parameter> parameters{};  ///< fits begin at `start`
+  std::vector<Parameter> parameters{};  ///< parameters; fits begin at their `start`
   /// Predicted observations [SI]; NaN for a missing prediction.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 
@@ -41,7 +41,7 @@ struct Response {
   /// bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
   /// Returns the derivatives by one-sided differences; `at_x` are the readings at `x`. These
-  /// derivatives are accurate enough on the way to an optimum.
+  /// derivatives are accurate enough for the steps of a search.
   [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& at_x) const;
   /// Tests whether the response is affine, and stores the affine form if it is.

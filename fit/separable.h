@@ -16,9 +16,9 @@ struct Means {
     std::vector<Eigen::Index> places{};  ///< indices in the readings of a predictor
     double measured = unset;             ///< SI
     std::size_t channel = 0;             ///< index in Subject::measured()
-    double weight = 1.0;                 ///< relative weight: 1/tolerance of its channel
-    double time = unset;                 ///< time in the middle of its rows [s]
-    int block = -1;                      ///< block in which it is held out; -1: none
+    double weight = 1.0;                 ///< relative weight: 1/tolerance of the channel
+    double time = unset;                 ///< time in the middle of the rows [s]
+    int block = -1;                      ///< block in which the mean is held out; -1: no block
   };
   std::vector<Mean> list{};
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
@@ -48,9 +48,9 @@ struct SeparableFit {
 
 /// Minimises the weighted sum of the squared residuals of means over the named parameters. Linear
 /// parameters are solved by linear least squares within each step (variable projection
-/// [GolubPereyra1973]). The other parameters are the bending parameters. The method of Levenberg
-/// and Marquardt finds them, on a logarithmic scale if the bounds of a parameter span more than a
-/// decade.
+/// [GolubPereyra1973]). All other parameters are called bending parameters. The method of Levenberg
+/// and Marquardt finds the bending parameters, on a logarithmic scale if the bounds of a parameter
+/// span more than a decade.
 ///
 /// A ridge of 1e-6 on columns of unit length prevents two lags with nearly equal time constants
 /// from growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w

@@ -20,7 +20,7 @@ namespace raceway::fit {
 class SeveralRecords : public Subject {
  public:
   /// `record` is a joined record. `own` lists parameters that become free for each record, even if
-  /// they are fixed in the model. Throws like find_parameters().
+  /// they are fixed in the model. Throws the same exceptions as find_parameters().
   SeveralRecords(std::shared_ptr<const Subject> model, const Record& record,
                  std::vector<std::string> own);
 

@@ -47,7 +47,7 @@ struct SobolIndex {
 struct SobolIndices {
   /// Number of samples whose values are all finite. Other samples are not used.
   std::size_t complete = 0;
-  double mean = unset, std = unset;  ///< over A and B
+  double mean = unset, std = unset;  ///< mean and standard deviation over A and B
   std::vector<SobolIndex> inputs;    ///< NaN if the function is constant or has no values
 };
 

@@ -56,8 +56,8 @@ class Predictor {
   /// Writes the readings of every measured channel at every row, channel by channel [SI]. Missing
   /// readings are NaN; all are NaN for parameter values that the model rejects.
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
-  /// Returns false only if it is certain that `parameter` never changes the readings per unit of
-  /// the linear parameter `of`. `none` stands for the readings with all linear parameters at zero.
+  /// Returns false only if `parameter` never changes the readings per unit of the linear parameter
+  /// `of`. If `of` is `none`, the readings with all linear parameters at zero are meant.
   /// `parameter` and `of` are indices of the names given to predictor(). Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
     (void)parameter, (void)of;
@@ -75,8 +75,8 @@ struct Candidate {
   /// True if the candidate corrects the law of the subject itself. Such candidates are tried before
   /// physical effects.
   bool base_law = false;
-  bool of_the_user = false;  ///< true: the user defined it, and its size is unknown
-  bool empirical = false;    ///< true: a shape without a physical law; it only describes the misfit
+  bool of_the_user = false;     ///< true: a user-defined effect, whose usual size is unknown
+  bool empirical = false;       ///< true: a shape that describes the misfit without a physical law
   bool of_each_record = false;  ///< true: a datum that may differ between several records
   bool of_time = false;         ///< true: depends on the time of a row
   /// Allowed values of each parameter, rising. An empty list, or an empty entry for one parameter,

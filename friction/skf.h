@@ -18,8 +18,8 @@ struct RingSize {
 
 /// Constants of a bearing type [mm, N, rpm, mm²/s -> N mm].
 struct SkfConstants {
-  double R1, R2, R3;  ///< rolling
-  double S1, S2, S3;  ///< sliding
+  double R1, R2, R3;  ///< constants of the rolling moment
+  double S1, S2, S3;  ///< constants of the sliding moment
   double K_Z;         ///< constant of the bearing type, for replenishment
 };
 
@@ -105,7 +105,7 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///           differ in editions since 2013.
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. The moment is zero at standstill and without load.
 ///           There the slope of the formula is infinite and is returned as zero.
-/// Accuracy: the code agrees with the formula to rounding error; the maker states none.
+/// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
 struct SkfRolling {
   static constexpr std::string_view id = "skf_rolling";
   static constexpr std::array parameters{
@@ -142,7 +142,7 @@ struct SkfRolling {
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact).
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is the moment of boundary
 ///           lubrication.
-/// Accuracy: the code agrees with the formula to rounding error; the maker states none.
+/// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
 struct SkfSliding {
   static constexpr std::string_view id = "skf_sliding";
   static constexpr std::array parameters{

@@ -36,7 +36,7 @@ struct BearingState {
   T axial_load = T(0.0);               ///< F_a [N]
   T radial_load = T(0.0);              ///< F_r [N], magnitude
   T temperature = T(kelvin(40));       ///< temperature of the lubricant [K]
-  T kinematic_viscosity = T(unset);    ///< at that temperature [m²/s]
+  T kinematic_viscosity = T(unset);    ///< viscosity at `temperature` [m²/s]
   /// Replaces `bearing` and `equilibrium` if the bearing has cylindrical rollers.
   const bearing::RollerBearing* rollers = nullptr;
   const bearing::RollerEquilibrium* roller_equilibrium = nullptr;

@@ -41,7 +41,7 @@ struct TablePoint {
 /// A block of consecutive points of a table that is divided into `count` blocks. The default is the
 /// whole table.
 struct TableSlab {
-  std::size_t index = 0;  ///< from 0
+  std::size_t index = 0;  ///< index of the block, from 0
   std::size_t count = 1;
   /// Number of points before this slab, and number of points in the slab, for a table of `size`
   /// points.

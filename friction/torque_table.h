@@ -17,7 +17,8 @@ namespace raceway::friction {
 /// Domain:   outside the range of an axis, the value at the edge is used, so the power there is
 ///           proportional to speed. holds() is false for such a state. An axis that the file does
 ///           not have accepts every value.
-/// Accuracy: `band` at the readings, if the file has it; between the readings, see interpolate().
+/// Accuracy: at the readings, `band` if the file has a band; between the readings, see
+///           interpolate().
 struct TorqueTable {
   static constexpr std::array parameters{
       Parameter{.name = "scale", .unit = "1", .initial = 1.0, .lower = 0.01, .upper = 100.0}};

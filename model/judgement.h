@@ -70,7 +70,7 @@ inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 /// A limit that a result exceeds.
 struct Finding {
-  std::string_view limit;  ///< Limit::id
+  std::string_view limit;  ///< id of the exceeded limit
   bool is_warning = true;
   std::string place = {};                 ///< bearing on its shaft; empty for a bearing on a rig
   double value = unset, allowed = unset;  ///< values at the worst point, in `unit`

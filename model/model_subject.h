@@ -93,7 +93,8 @@ class ModelSubject : public fit::Subject {
 
   /// Returns the model for predictions, without effects that are only candidates.
   [[nodiscard]] const Model& active() const { return active_; }
-  /// Returns the places of the named parameters in active(). Throws like fit::find_parameters().
+  /// Returns the places of the named parameters in active(). Throws the same exceptions as
+  /// fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
   /// Returns the free parameters for a model that does not name its free parameters. Default:
   /// default_free().
@@ -116,7 +117,7 @@ class ModelSubject : public fit::Subject {
   /// True if the effect changes a measured channel.
   [[nodiscard]] bool moves(const effects::Description& effect) const;
   [[nodiscard]] bool waits(std::string_view id) const;
-  /// Returns the effect with its initial values. Throws like with_candidates().
+  /// Returns the effect with its initial values. Throws the same exceptions as with_candidates().
   [[nodiscard]] effects::Effect from_catalogue(const std::string& id) const;
 
   Model model_, active_;

@@ -12,27 +12,27 @@
 namespace raceway::model {
 
 /// Returns all parameters of a model that may be fitted, with start and value from the model: base
-/// law first, then arrangement and bearing, then the effects in their order.
+/// law first, then arrangement, bearing and spindle, then the effects in their order. Each line has
+/// the name of a parameter, and its address or addresses in the model file.
 ///
-///   f0, z, y; mu_bl, scale ... base law           friction.f0
-///   preload_N                  force on each side at standstill
-///                                                 arrangement.preload_N
-///   inner_conformity, outer_conformity            bearing.inner_conformity
-///   conformity                 of both grooves, if they are equal in the model
-///   contact_angle_deg          free contact angle; the preload force is unchanged
-///   convection_factor          of a spindle       ambient.convection_factor
-///   lubricant_conductance_W_K                     bearing.lubricant_conductance_W_K
-///   outer_conductance_W_m2K    if the model gives it
-///                                                 seat.outer_conductance_W_m2K
-///   flange_conductance_W_K                        housing.flange_conductance_W_K
-///   inlet_temperature_C, flow_l_min               coolant.flow_l_min
-///   NAME.inlet_temperature_C   if the circuit has its own
-///   NAME.flow_l_min                               coolant.circuit.1.flow_l_min of the third
-///   circuit motor.heat_W, drive.heat_W, NAME.heat_W       motor.heat_W, heat.2.heat_W of the third
-///   [[heat]] motor.heat_factor ...      if heat_W is a formula
-///                                                 motor.heat_factor
-///   mixed-lubrication.K_rs     "id.name" of an effect
-///                                                 effect.2.K_rs of the third effect
+///   f0, z, y, mu_bl, scale ...  friction.f0; limiting_traction: lubricant.limiting_traction
+///   preload_N                   arrangement.preload_N: force on each side at standstill
+///   inner_conformity            bearing.inner_conformity; outer_conformity likewise
+///   conformity                  both conformities, if they are equal in the model
+///   contact_angle_deg           bearing.contact_angle_deg: free angle; unchanged preload force
+///   convection_factor           ambient.convection_factor of a spindle
+///   lubricant_conductance_W_K   bearing.lubricant_conductance_W_K
+///   outer_conductance_W_m2K     seat.outer_conductance_W_m2K, if the model gives it
+///   flange_conductance_W_K      housing.flange_conductance_W_K
+///   inlet_temperature_C         coolant.inlet_temperature_C of the first circuit
+///   flow_l_min                  coolant.flow_l_min of the first circuit
+///   NAME.inlet_temperature_C    coolant.circuit.1.inlet_temperature_C, if the circuit gives it
+///   NAME.flow_l_min             coolant.circuit.1.flow_l_min of the third circuit
+///   motor.heat_W, drive.heat_W  motor.heat_W, drive.heat_W
+///   NAME.heat_W                 heat.2.heat_W of the third [[heat]]
+///   motor.heat_factor ...       motor.heat_factor ..., in place of heat_W if heat_W is a formula
+///   sensor.NAME.position_mm     sensor.2.position_mm of the third sensor
+///   mixed-lubrication.K_rs      effect.2.K_rs of the third effect; the name is "id.name"
 ///
 /// Parameters of the bearing exist only with a shaft whose sets have equal bearings. Their values
 /// are valid for all bearings of the arrangement. The preload is a parameter only if it is given as
@@ -84,8 +84,8 @@ class ParameterPlace {
   double factor_ = 1.0;  // factor to the unit of the members
 };
 
-/// Returns the value at the addresses of a parameter, in the unit of the files. Throws like
-/// ParameterPlace.
+/// Returns the value at the addresses of a parameter, in the unit of the files. Throws the same
+/// exceptions as ParameterPlace.
 [[nodiscard]] double get(const Model& model, const record::Parameter& parameter);
 void set(Model& model, const record::Parameter& parameter, double value);
 

@@ -19,7 +19,7 @@ struct SolidMaterial {
   double conductivity = unset;       ///< [W/(m K)]
   double density = unset;            ///< [kg/m³]
   double heat_capacity = unset;      ///< [J/(kg K)]
-  double thermal_expansion = unset;  ///< linear [1/K]
+  double thermal_expansion = unset;  ///< coefficient of linear expansion [1/K]
   double elastic_modulus = unset;    ///< [Pa]
   double poissons_ratio = unset;     ///< [1]
 };
@@ -46,7 +46,7 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
 /// A piece of a shaft or housing between two planes. Pieces are listed from the nose to the rear.
 struct Segment {
   double length = unset;    ///< [m]
-  double diameter = unset;  ///< outer [m]
+  double diameter = unset;  ///< outer diameter [m]
   double bore = unset;      ///< [m]; 0: solid. For a housing, NaN means the bearing diameter
   SolidMaterial material = steel_of_shafts;
 };
@@ -96,7 +96,7 @@ struct Housing {
 /// Seats of the rings, and contacts at their side faces.
 struct Seat {
   double inner_interference = 6 * um;  ///< diametral, as mounted and at standstill [m]
-  double outer_clearance = 4 * um;     ///< diametral [m]
+  double outer_clearance = 4 * um;     ///< diametral clearance [m]
   double roughness = 0.8 * um;         ///< Ra [m]
   double slope = 0.15;                 ///< mean asperity slope of the surfaces [1]
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
@@ -148,17 +148,17 @@ struct Coolant {
   double inlet_temperature = unset;   ///< [K]
   double diameter = unset;            ///< mean diameter of the helix [m]
   double channel_width = unset;       ///< width along the axis [m]
-  double channel_depth = unset;       ///< radial [m]
+  double channel_depth = unset;       ///< radial depth [m]
   double pitch = unset;               ///< pitch of the turns [m]
   double start = unset, end = unset;  ///< distances behind the nose face [m]
   double stagnant = 25.0;             ///< film coefficient of the standing fluid [W/(m² K)]
-  double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: none
+  double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: no orifice
 };
 
 /// A further coolant circuit, with a channel around another span of the housing.
 struct Circuit {
   std::string name;  ///< gives the columns NAME_outlet_temperature_C and heat_to_NAME_W
-  Coolant channel;   ///< with an inlet temperature of NaN, it uses the value of the first circuit
+  Coolant channel;   ///< inlet temperature NaN: value of the first circuit
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };
@@ -178,7 +178,8 @@ struct HeatSource {
   /// face of the housing and the first bearing. bearing heats the raceways of one bearing. A given
   /// span replaces the place of motor, pulley and seal.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
-  std::string name = {};                                   ///< "motor", "drive" or its own name
+  /// "motor", "drive" or the name of a [[heat]].
+  std::string name = {};
   double watts = unset;                                    ///< [W]; NaN: from the formula
   std::shared_ptr<const record::Expression> formula = {};  ///< formula for [W] with heat_variables
   double factor = 1.0;                                     ///< factor on the formula [1]

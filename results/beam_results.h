@@ -83,8 +83,8 @@ struct DeflectionResult {
   /// State without the force, if a belt bends the shaft or rollers support it.
   std::optional<spindle::LoadedShaft> unloaded = {};
   std::vector<std::string> roller_names = {};
-  double displacement = unset;  ///< at the force, in its direction [m]
-  double nose = unset;          ///< displacement of the nose face in that direction [m]
+  double displacement = unset;  ///< displacement at the force, in the direction of the force [m]
+  double nose = unset;          ///< displacement of the nose face in the direction of the force [m]
   double slope = unset;         ///< slope of the section at the nose [rad]
   double tangent = unset;       ///< displacement at the force with the stiffness before loading [m]
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }

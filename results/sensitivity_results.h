@@ -16,9 +16,10 @@ namespace raceway::results {
 struct VariedDatum {
   std::string name;
   double value = unset;
-  double spread = unset;         ///< possible error in either direction
-  std::string spread_from = {};  ///< "given", "standard error", "1 %", "1 K", "1"
-  std::string origin = {};       ///< "file", "default", "catalogue", "asked"
+  double spread = unset;  ///< possible error in either direction
+  /// Origin of `spread`: "given", "standard error", "1 %", "1 K" or "1".
+  std::string spread_from = {};
+  std::string origin = {};  ///< origin of `value`: "file", "default", "catalogue" or "asked"
   bool whole = false;
   bool has_elasticity = true;  ///< false for a temperature in C, whose zero is arbitrary
 };
@@ -53,7 +54,7 @@ struct PredictionSensitivity {
 struct Sensitivity {
   std::string source, model;
   std::vector<std::string> inputs = {};          ///< names of the inputs of a state
-  std::vector<std::vector<double>> states = {};  ///< values of these inputs
+  std::vector<std::vector<double>> states = {};  ///< values of `inputs` at each state
   std::vector<VariedDatum> data = {};            ///< data that affect a prediction
   std::vector<PredictionSensitivity> predictions = {};
   std::vector<std::string> does_not_enter = {};

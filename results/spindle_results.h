@@ -28,10 +28,11 @@ struct MeshEstimate {
 /// A default value of a model, and the influence of its usual spread on the displacement of the
 /// nose.
 struct Assumption {
-  std::string name;                  ///< "bearing.lubricant_conductance_W_K"
-  double value = unset;              ///< in the unit of the name
-  double spread = unset;             ///< in either direction
-  double low = unset, high = unset;  ///< displacement at value - spread and + spread [m]; NaN: none
+  std::string name;       ///< "bearing.lubricant_conductance_W_K"
+  double value = unset;   ///< in the unit of the name
+  double spread = unset;  ///< possible error in either direction
+  /// Displacement at value - spread and value + spread [m]; NaN: no result.
+  double low = unset, high = unset;
 };
 
 /// Default values with the largest influence on a steady state of a spindle.

@@ -22,8 +22,8 @@ inline constexpr int highest_sensor_degree = 3;
 /// A test is significant if its p-value is below this limit.
 inline constexpr double sensor_significance = 0.01;
 
-/// Test of the fit: can the scatter of repeated readings explain the distance of their means from
-/// the curve?
+/// Tests whether the scatter of repeated readings can explain the distance of their means from the
+/// curve.
 ///
 ///   F = (Σ n_l (mean_l - V(M_l))² / (L - p)) / (Σ (V - mean_l)² / (N - L))
 ///

@@ -24,7 +24,7 @@ struct IdentifyChoices {
   /// time constants of the lags [s], the same for all channels. With "auto", the program chooses
   /// the time constants. If the list is empty, the time constants are fitted.
   std::vector<std::string> lags{};
-  std::string baseline{};  ///< "regression", "arx" or empty
+  std::string baseline{};  ///< model to compare with: "regression", "arx" or empty
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};
 
@@ -36,7 +36,7 @@ struct IdentifyChoices {
 /// Corrections identified from one record, one for each displacement of the file.
 struct Identified {
   SeriesQuestion asked{};
-  std::string baseline{};  ///< "regression" or empty
+  std::string baseline{};  ///< model to compare with: "regression" or empty
   std::vector<correction::Identification> found{};
   /// Errors on a record that no fit used, and warnings on this record. Both lists are empty before
   /// validate().
@@ -76,7 +76,7 @@ struct ArxModels {
   [[nodiscard]] Text text() const;
 };
 
-/// Fits the ARX models. Throws like identify().
+/// Fits the ARX models. Throws the same exceptions as identify().
 [[nodiscard]] ArxModels identify_arx(SeriesQuestion asked, const IdentifyChoices& choices);
 
 }  // namespace raceway::session

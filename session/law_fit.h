@@ -24,8 +24,8 @@ struct LawFit {
 };
 
 /// Reads a curve of displacement over speed and fits the law to it. `at_rpm` is a speed at which
-/// the law is also evaluated; NaN means none. Throws text::InputError for a curve with too few
-/// speeds and for a speed at which the law is not valid.
+/// the law is also evaluated; NaN means no such speed. Throws text::InputError for a curve with too
+/// few speeds and for a speed at which the law is not valid.
 [[nodiscard]] LawFit fit_law(Messages& messages, const Source& curve, const Reading& reading,
                              double at_rpm);
 

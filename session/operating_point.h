@@ -22,10 +22,10 @@ struct AskedPoint {
          moment_y_Nmm = unset, moment_z_Nmm = unset;
 };
 
-/// Returns the operating point that a model gives. Its speed is not set. The axial load is NaN if
-/// the model gives none.
+/// Returns the loads and the temperature of a model as an operating point without a speed. The
+/// axial load is NaN if the model has no axial load.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model);
-/// Returns the operating point of a model with the requested values.
+/// Returns the operating point with the requested values, and with values of the model for NaN.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);
 
 /// Loads that the request gives.

@@ -60,13 +60,14 @@ struct SolvedStates {
 
 /// Solves a single state and returns all columns with notes. The values have the same 15 digits as
 /// the output of `raceway solve`. solve_states() uses a faster solver for several points together;
-/// docs/speed.md gives the difference. Throws like solve_states(), and for more than one state.
+/// docs/speed.md gives the difference. Throws the same exceptions as solve_states(), and throws for
+/// more than one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);
 
-/// Returns the operating point of arrays with one number each. Throws like solve_states(), and for
-/// more than one number.
+/// Returns the operating point of arrays with one number each. Throws the same exceptions as
+/// solve_states(), and throws for more than one number.
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile& file,
                                                    const StateArrays& states);
 

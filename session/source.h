@@ -9,7 +9,7 @@ namespace raceway::session {
 
 using files::Source;
 
-/// Returns files by their paths.
+/// Returns the files at these paths as sources.
 [[nodiscard]] inline std::vector<Source> files(const std::vector<std::string>& paths) {
   return {paths.begin(), paths.end()};
 }

@@ -27,9 +27,9 @@ struct DeflectionQuestion {
   double at = 0.0;         ///< distance of the force behind the nose face [m]
   double speed = 0.0;      ///< [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
-  bool coolant_on = true;  ///< coolant of the warm spindle
+  bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
   Wording wording = Wording::arguments;          ///< names of arguments in error messages
-  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
 /// Throws text::InputError if `force` and `moment` are both zero, and if an axial force is given

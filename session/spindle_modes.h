@@ -15,11 +15,11 @@ namespace raceway::session {
 struct ModesQuestion {
   std::vector<double> speeds{};  ///< [rad/s]
   bool warm = false;             ///< true: uses the bearings of the warm spindle at steady state
-  bool coolant_on = true;        ///< coolant of the warm spindle
+  bool coolant_on = true;        ///< true: the coolant of the warm spindle is on
   int count = 6;
   double damping_ratio = unset;                   ///< damping ratio assigned to every mode [1]
   std::optional<spindle::Unbalance> unbalance{};  ///< unbalance for the path of the nose
-  const std::atomic<bool>* cancelled = nullptr;   ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;   ///< true ends the work with fit::Cancelled
 };
 
 /// Modes of a shaft on its bearings as functions of speed.

@@ -26,7 +26,7 @@ struct RunQuestion {
   bool coolant_on = true;                        ///< false switches the coolant off in every row
   bool mesh = true;                              ///< true adds an estimate of the mesh error
   bool assumptions = false;                      ///< true adds the most influential assumed numbers
-  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
 struct SpindleRun {

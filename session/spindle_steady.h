@@ -39,7 +39,7 @@ struct SteadyQuestion {
   double belt_force = unset;   ///< [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
   bool assumptions = false;    ///< true adds the most influential assumed numbers
-  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
 /// Steady states, one for each speed.

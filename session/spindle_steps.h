@@ -31,7 +31,7 @@ struct StepQuestion {
   double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
   Wording wording = Wording::arguments;          ///< names of arguments in errors and notes
-  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
 /// Step responses of a spindle, simulated or read, with the laws K(P) and T(P) for all of them.
@@ -76,7 +76,7 @@ struct StepCorrectionQuestion {
   std::string law = "curve";             ///< form of K and T: "curve", "power" or "line"
   std::string lags = "auto";             ///< number of delay elements: "one", "two" or "auto"
   Wording wording = Wording::arguments;  ///< names of arguments in notes
-  const std::atomic<bool>* cancelled = nullptr;  ///< cancels like Simulator::stop_on()
+  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
 /// Returns the correction from the step responses. Throws std::invalid_argument if the step

@@ -23,7 +23,7 @@ class DisplacementRows {
  private:
   struct Standstill {
     double position = 0.0;  ///< [m]
-    int version = 0;        ///< version of the mounted sets for this position
+    int version = 0;        ///< ShaftBalance::version() at this position
   };
   /// Returns the position at standstill [m].
   [[nodiscard]] double standstill(const Model& model, std::size_t i);

@@ -26,8 +26,8 @@ struct DisplacementPoint {
 
 /// Bounds of the law's parameters, in its published units. With B above 1 the displacement at
 /// standstill is not zero; with B below 0 the curve has another shape. For C n_max below 0.01 the
-/// law is a plain power; above 100 it is a straight line. These are the bounds of C if none is set.
-/// A may have any size and sign (negative for a mirrored layout).
+/// law is a plain power; above 100 it is a straight line. These limits are the bounds of C if no
+/// bounds are set. A may have any size and sign (negative for a mirrored layout).
 struct KinematicLawBounds {
   double lower_B = 0.0, upper_B = 1.0;
   double lower_C = unset, upper_C = unset;  ///< [1/rpm]

@@ -27,7 +27,7 @@ class TorqueRows {
 
  private:
   struct Made {
-    int solved = 0;  ///< BalancedRows::Row::solved of the row's last predictors; 0 for none
+    int solved = 0;  ///< solved equilibria when the predictors were made; 0: not made
     std::vector<effects::Condition> conditions{};
   };
   void place(std::size_t row);

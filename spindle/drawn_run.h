@@ -21,8 +21,8 @@ struct DrawnRun {
 [[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
                                  const State* start, const Run& run, std::size_t states = 12);
 
-/// Adds the early end of a run as its last moment and as an additional row of the programme. The
-/// function changes nothing if the run has no early end, or if the run ended at the time of a row.
+/// If a run ended early between two rows of the profile, adds this end as the last moment of the
+/// run and as an additional row of the profile. Otherwise the function changes nothing.
 void add_end(Simulator& simulator, std::vector<ProfileRow>& profile, const State* start, Run& run);
 
 }  // namespace raceway::spindle

@@ -10,7 +10,7 @@ namespace raceway::spindle {
 /// Heat path between two cells through a joint, or from a cell to a fluid or the surroundings.
 struct Joint {
   int first = -1;
-  int second = -1;      ///< -1: to the surroundings
+  int second = -1;      ///< second cell; -1: a fluid or the surroundings
   double area = unset;  ///< [m²]
   double half = 0.0;    ///< resistance from the cells to the joint [K/W]
   bool axial = false;   ///< true: the face is normal to the axis
@@ -38,7 +38,7 @@ struct BearingPlace {
   Joints inner_seat, outer_seat;
   Joints inner_raceway, outer_raceway;  ///< paths from cells to the raceway
   Shares inner_ring, outer_ring;        ///< weights of the mean temperatures
-  Shares shaft_below, housing_above;    ///< the same for shaft and housing at the seats
+  Shares shaft_below, housing_above;    ///< weights for shaft and housing at the seats
 };
 
 /// Side face of a ring that a clamping force presses against its neighbour: a shoulder, a spacer or
@@ -48,7 +48,7 @@ struct ClampedFace {
   bool inner = true;     ///< true: inner ring
   bool rear = false;     ///< true: rear face
   double force = unset;  ///< [N]
-  Joints joints;         ///< from the cells of the ring
+  Joints joints;         ///< paths from the cells of the ring
 };
 
 /// All cells and joints of a spindle, with all data that do not depend on the operating point.
@@ -60,7 +60,7 @@ struct Layout {
   std::vector<ClampedFace> faces;  ///< faces with a clamping force, not in the groups above
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
-  std::vector<Joints> coolant_walls;  ///< for each of model::Spindle::channels()
+  std::vector<Joints> coolant_walls;  ///< walls of each channel in model::Spindle::channels()
   double first_bearing_front = unset, last_bearing_rear = unset;  ///< outermost faces [m]
   double housing_start = unset, housing_end = unset;              ///< [m]
   /// centres of the sets [m]; NaN without a rear set

@@ -17,7 +17,7 @@ struct PressedPart {
 
 /// State of a press fit.
 struct PressFit {
-  double pressure = 0.0;  ///< [Pa], >= 0
+  double pressure = 0.0;  ///< pressure between the two parts [Pa], >= 0
   /// diametral interference at speed and temperature; negative if the seat is loose [m]
   double effective_interference = unset;
   double gap = 0.0;                    ///< radial gap of a loose seat [m], >= 0

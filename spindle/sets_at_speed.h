@@ -34,7 +34,7 @@ class SetsOfSpindle {
   SetsOfSpindle(SetsOfSpindle&&) noexcept;
   ~SetsOfSpindle();
 
-  /// Cancels like Simulator::stop_on().
+  /// Sets a flag that cancels at(), as in Simulator::stop_on().
   void stop_on(const std::atomic<bool>* cancelled);
   /// Returns the arrangement as mounted, with the effects of the model.
   [[nodiscard]] const bearing::Arrangement& arrangement() const;

@@ -54,7 +54,7 @@ struct ProfileRow {
 struct BearingState {
   /// mean temperature of the ring [K]
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
-  double force = unset;         ///< axial [N]
+  double force = unset;         ///< axial force [N]
   double radial_force = unset;  ///< [N]
   double clearance = unset;  ///< s, diametral clearance of a roller bearing; negative: preload [m]
   double power = unset;      ///< friction loss of the bearing [W]
@@ -76,7 +76,7 @@ struct HeatBalance {
 struct CircuitState {
   double inlet = unset;   ///< [K]
   double outlet = unset;  ///< temperature at the outlet, or of standing coolant [K]
-  double heat = 0.0;      ///< heat taken by the flow [W]
+  double heat = 0.0;      ///< heat that the flow removes [W]
 };
 
 /// State of a spindle at one moment.
@@ -86,7 +86,8 @@ struct Moment {
                                 ///< towards the tool [m]
   double kinematic_displacement = unset;  ///< displacement of the cold sets alone at this speed [m]
   double set_position = unset;  ///< change of the shaft position in the sets since rest [m]
-  double elongation = unset;    ///< of the shaft between the sets, relative to the housing [m]
+  /// Elongation of the shaft between the sets, relative to the housing [m].
+  double elongation = unset;
   double front_force = unset, rear_force = unset;  ///< [N]
   HeatBalance heat = {};
   std::vector<double> sources = {};         ///< heat of each source in model::Spindle::heat [W]
@@ -132,7 +133,8 @@ struct Run {
 
 /// A cell of the axisymmetric mesh, for plots.
 struct FieldCell {
-  std::string_view part;                              ///< "shaft", "ring", "housing", "coolant"
+  /// Body of the cell: "shaft", "ring" (a bearing ring or a spacer) or "housing".
+  std::string_view part;
   double start = unset, end = unset;                  ///< distance behind the nose face [m]
   double inner_radius = unset, outer_radius = unset;  ///< [m]
   double temperature = unset;                         ///< [K]
@@ -142,7 +144,7 @@ struct FieldCell {
 struct SeatState {
   double pressure = unset;     ///< [Pa]; 0 for a loose seat, NaN if its conductance is given
   double gap = unset;          ///< radial gap of a loose seat [m]
-  double conductance = unset;  ///< of contact spots and air together [W/(m² K)]
+  double conductance = unset;  ///< conductance of contact spots and air together [W/(m² K)]
 };
 /// Seats of the inner ring on the shaft and of the outer ring in the housing.
 struct SeatsOfBearing {

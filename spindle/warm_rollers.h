@@ -40,7 +40,7 @@ class WarmRollers {
   double roller_conductivity_;
   double speed_ = 0.0;
   bearing::RollerEquilibrium taken_;
-  double inner_sum_ = unset, outer_sum_ = unset, conductance_ = unset;  ///< for taken_
+  double inner_sum_ = unset, outer_sum_ = unset, conductance_ = unset;  ///< values for taken_
 };
 
 }  // namespace raceway::spindle

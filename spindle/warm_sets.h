@@ -23,11 +23,11 @@ struct SetsAsked {
 /// Friction heat of one bearing, with its forces, clearance and heat conduction.
 struct BearingHeat {
   double inner = 0.0, outer = 0.0;  ///< heat produced at each ring [W]
-  double force = 0.0;               ///< axial [N]
+  double force = 0.0;               ///< axial force [N]
   double radial_force = 0.0;        ///< [N]
   double clearance = unset;         ///< s of a roller bearing [m]
   double conductance = 0.0;  ///< conductance of balls or rollers through their contacts [W/K]
-  double band = 0.0;         ///< half width of the 95 % band of its power from a friction table [W]
+  double band = 0.0;         ///< half width of the 95 % band of the heat, from a friction table [W]
   [[nodiscard]] double power() const { return inner + outer; }
 };
 
@@ -47,9 +47,8 @@ class WarmSets {
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Returns false if the sets have no equilibrium; the state is then unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
-  /// Takes the bearing loads of the bent shaft, in addition to the axial loads, at the temperatures
-  /// of the last solve(); null means no such loads. Returns false if a friction value is not
-  /// finite.
+  /// Adds the bearing loads of the bent shaft to the axial loads, at the temperatures of the last
+  /// solve(); null means no bent shaft. Returns false if a friction value is not finite.
   [[nodiscard]] bool bear(const LoadedShaft* bent);
 
   [[nodiscard]] const model::Model& model() const { return model_; }

@@ -12,7 +12,7 @@ namespace raceway::spindle {
 /// Operation of a spindle before the first row of a run, if the thermometers show that the spindle
 /// was warm.
 struct WarmStart {
-  Inputs inputs{};          ///< constant
+  Inputs inputs{};          ///< constant inputs of this operation
   double duration = unset;  ///< [s]
   double rise = unset;      ///< rise of the warmest thermometer above ambient in the first row [K]
   bool zeroed = false;      ///< true if the displacement was set to zero in the first row

@@ -15,7 +15,7 @@ namespace raceway::text {
 /// Position of the header and of the row of units in a file that has further lines.
 struct CsvForm {
   int header_line = 0;    ///< counted from 1; lines above are skipped. 0: the first line
-  int unit_line = 0;      ///< a row of units below the header; 0: none
+  int unit_line = 0;      ///< row of units below the header; 0: no such row
   char separator = '\0';  ///< '\0': the separator is found in the header
 };
 
@@ -29,7 +29,7 @@ struct ParsedNumber {
 /// Decimal and thousands marks of a file, found in the cells.
 struct DecimalMarks {
   char decimal = '\0';    ///< decimal mark; '\0': not known
-  char thousands = '\0';  ///< between groups of three digits; '\0': none
+  char thousands = '\0';  ///< mark between groups of three digits; '\0': no mark
   char asked = '\0';      ///< mark whose meaning the user must state
 };
 

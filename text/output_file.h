@@ -33,8 +33,9 @@ struct OutputFile {
   std::string_view text;
 };
 /// Writes files that belong together. All temporary files are complete before the first one is
-/// renamed. If two runs write the same files, all files come from the later run. Throws like
-/// write_text(). After an error, the old files remain, unless the disk fails between two renames.
+/// renamed. If two runs write the same files, all files come from the later run. Throws the same
+/// exceptions as write_text(). After an error, the old files remain, unless the disk fails between
+/// two renames.
 void write_files(const std::vector<OutputFile>& files, IfExists if_exists);
 
 /// Stops all writing before the process ends: removes unfinished files and prevents further files.

@@ -10,7 +10,7 @@ namespace raceway::tolerance {
 /// A record without the readings that no model could explain, and notes on the removed readings.
 struct WithoutStrays {
   std::shared_ptr<const record::Record> record{};
-  std::vector<record::Note> notes{};  ///< notes with the lines of these readings
+  std::vector<record::Note> notes{};  ///< notes with the lines of the removed readings
 };
 
 /// Removes readings whose residual jumps and returns (fit/isolated_readings.h), for example because

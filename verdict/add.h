@@ -36,7 +36,7 @@ struct AddResult {
   /// (Subject::approximates()).
   std::vector<fit::Refit> refits{};
   fit::Likelihood before{};  ///< likelihood of the model without the effects, with the same noise
-  double gain = unset;       ///< RankedEffect::gain for all effects together
+  double gain = unset;       ///< gain of all effects together, as in RankedEffect
   bool refused = false;      ///< true if the result is rejected; see add_by_noise()
   std::string reason{};      ///< reason for the rejection in one sentence; empty if accepted
   std::vector<record::Note> messages{};

@@ -82,7 +82,7 @@ struct Comparison {
   Pattern pattern{};
   /// Correlation time of the residuals [s]; NaN except for a model that approximates over time.
   double correlation_time = unset;
-  std::string_view begins{};  ///< Measured::begins
+  std::string_view begins{};  ///< initial state of the simulation; empty if there is none
   Judgement judgement = Judgement::unknown;
   double tolerance = unset;           ///< acceptable error [SI]; NaN if not given
   std::vector<ErrorRange> where{};    ///< errors by range of each varying input, worst first
@@ -94,13 +94,13 @@ struct Comparison {
 };
 
 /// Returns the noise of a measured channel, by estimate_noise(). For a model that only approximates
-/// the readings, the noise is the standard deviation that the model declares. If it declares none,
-/// the noise is the scatter of readings that are neighbours in time.
+/// the readings, the noise is the standard deviation that the model declares. If the model declares
+/// no standard deviation, the noise is the scatter of readings that are neighbours in time.
 [[nodiscard]] fit::Noise noise_of(const record::Record& record, const fit::Measured& measured);
 
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
 /// model parameters that were fitted to these data. Fitted parameters reduce the degrees of freedom
-/// of the test. If you do not know the number, use 0, which makes the test milder. Throws
+/// of the test. If you do not know the number, use 0, which makes the test less strict. Throws
 /// std::invalid_argument if the record does not suit this kind of model, has no rows, or has no row
 /// with a prediction.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,

@@ -45,12 +45,12 @@ struct ChannelDiagnosis {
 /// Fit of one effect to the data, together with all base parameters.
 struct RankedEffect {
   std::string id;
-  std::string datum{};  ///< Candidate::datum: the wrong datum, if the candidate is not an effect
-  std::string correction{};  ///< text with the corrected value of that datum
+  std::string datum{};       ///< wrong datum; empty for an effect
+  std::string correction{};  ///< text with the corrected value of the datum
   /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
   /// place, unless there is only one choice.
   std::vector<std::pair<std::string, std::string>> acts_on{};
-  bool by_column = false;  ///< Candidate::by_column
+  bool by_column = false;  ///< true if the name contains the driving column
   bool in_verdict = false;
   /// Fall of -2 ln L when the effect is added, minus ln N for each fitted parameter other than the
   /// size, with N readings. If the verdict is `several_effects` and includes this effect, this is
@@ -79,7 +79,7 @@ struct RankedEffect {
 
 /// Fit of a set of effects to the data.
 struct SetFit {
-  double gain = unset;  ///< RankedEffect::gain of the whole set
+  double gain = unset;  ///< gain of the whole set, as in RankedEffect
   fit::Likelihood likelihood{};
   std::vector<double> rmse{};  ///< error of each channel in sample [SI]
 };
@@ -101,7 +101,7 @@ struct EffectShare {
 struct ExplainedReadings {
   /// Prediction with the effects on and the base parameters refitted [SI].
   std::vector<double> total{};
-  std::vector<double> base{};  ///< prediction of the same model with the effects off [SI]
+  std::vector<double> base{};  ///< prediction of this model with the effects switched off [SI]
   /// For each effect, the total minus the prediction without this effect.
   std::vector<EffectShare> effects{};
 };
@@ -111,9 +111,9 @@ struct DetectableSize {
   std::string id;
   std::string parameter;
   std::string unit;
-  double size = unset;              ///< smallest size of that parameter
+  double size = unset;              ///< detectable size of the parameter
   double share_of_reading = unset;  ///< rms of the effect at this size over rms of the readings [1]
-  std::string most_alike{};  ///< effect that is hardest to separate from this one; empty if none
+  std::string most_alike{};  ///< effect that is hardest to separate from this effect; may be empty
   double told_apart_from = unset;  ///< size above which the data separate the two effects
 };
 
@@ -144,8 +144,8 @@ struct SuggestedMeasurement {
 
 /// Another base model, calibrated to the same readings instead of the given base model.
 struct OtherBaseTried {
-  std::string id;     ///< OtherBase::id
-  std::string words;  ///< OtherBase::words
+  std::string id;     ///< id for add(): "law:skf"
+  std::string words;  ///< name in model files
   /// Fall of -2 ln L relative to the given model without effects, minus ln N for each additional
   /// free parameter.
   double gain = unset;
@@ -153,9 +153,9 @@ struct OtherBaseTried {
   std::vector<double> rmse{};           ///< error of each channel in sample [SI]
   std::vector<double> rmse_held_out{};  ///< held-out error of each channel [SI]
   std::vector<record::Parameter> parameters{};
-  double remaining_p_value = unset;  ///< p of the gate on its residuals; NaN if not tested
+  double remaining_p_value = unset;  ///< p of the gate on the new residuals; NaN if not tested
   bool explains = false;             ///< true if the data show no missing effect in this base model
-  bool fitted_form = false;          ///< OtherBase::fitted_form
+  bool fitted_form = false;          ///< true if the exponents of this base law are fitted
 };
 
 struct Diagnosis {
@@ -169,7 +169,7 @@ struct Diagnosis {
       effects;  ///< effects of the verdict first, starting with the best set; the others by rank
   std::vector<std::vector<std::string>>
       sets;                  ///< sets of effects whose gain is close to the best, best first
-  std::vector<SetFit> fits;  ///< fits of these sets; empty if the model only approximates
+  std::vector<SetFit> fits;  ///< fits of `sets`; empty if the model only approximates
   /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
   Correlation correlation;  ///< correlation for the best set, or for the model without effects

@@ -25,8 +25,8 @@ namespace raceway::verdict {
 [[nodiscard]] std::string correction_text(const fit::Problem& problem, const Explanation& e,
                                           std::size_t member);
 
-/// Returns the 95 % interval of the size of one candidate. A bent law (Attribution::elastic()) has
-/// no interval, because its exponents have no physical meaning.
+/// Returns the 95 % interval of the size of one candidate. A candidate whose law is multiplied by
+/// powers (Attribution::elastic()) has no interval, because the exponents have no physical meaning.
 [[nodiscard]] record::Interval size_interval(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
@@ -58,7 +58,8 @@ namespace raceway::verdict {
                                          const Eigen::MatrixXd& covariance);
 
 /// Returns the rms error of each channel over the held-out blocks of all blockings [SI]. The result
-/// is empty for a bent law (Attribution::elastic()), and if there are no blockings.
+/// is empty if a law is multiplied by powers (Attribution::elastic()), and if there are no
+/// blockings.
 [[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const fit::Response& response,
                                            const fit::ResponseFit& fit,
                                            const std::vector<fit::Blocking>& blockings);
@@ -70,8 +71,8 @@ namespace raceway::verdict {
     const Evidence& evidence, const fit::Response& response, const fit::ResponseFit& fit,
     const std::vector<fit::Blocking>& blockings);
 
-/// Returns the readings of an explanation and the contributions of its effects, by observation. The
-/// law must not be bent (Attribution::elastic()).
+/// Returns the readings of an explanation and the contributions of its effects, by observation. No
+/// law may be multiplied by powers (Attribution::elastic()).
 [[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::verdict

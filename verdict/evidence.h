@@ -27,7 +27,7 @@ struct Evidence {
   std::vector<fit::Whitening> allowed{};
   double degrees_of_freedom = unset;  ///< degrees of freedom of all channels
   fit::Response response{};           ///< response of the base model
-  fit::ResponseFit base{};            ///< base model refitted with this noise
+  fit::ResponseFit base{};            ///< base model refitted with `noise`
   std::size_t rows_in_record = 0;
   /// True if there are too few rows to determine the noise; the declared noise is then used.
   bool few_rows = false;
@@ -46,7 +46,7 @@ struct EvidenceOptions {
   int most_rows = most_rows_of_a_fit;
   fit::NoiseOptions noise{};
   bool screened = true;               ///< false if only the noise and the base model are needed
-  std::function<bool()> cancelled{};  ///< if it returns true, the work is cancelled; see Problem
+  std::function<bool()> cancelled{};  ///< returns true to cancel the work; see Problem
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model. The

@@ -38,7 +38,7 @@ struct Gate {
   double surface_p_value = 1.0;
   int surface_terms = 0;
   double largest_score = unset;  ///< largest score in standard deviations
-  int largest = -1;              ///< column of that score
+  int largest = -1;              ///< column of the largest score; -1 if no column is visible
   double score_p_value = 1.0;
   /// Largest p over the other noise shapes that the readings allow; 0 if these shapes were not
   /// tested.
@@ -53,7 +53,8 @@ struct Gate {
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
-/// Below this visibility, the fit of the base parameters (the tangent) hides a score.
+/// Smallest visibility of a column whose score is tested [1]. Below it, the base parameters absorb
+/// the effect.
 constexpr double invisible = 0.02;
 
 /// Applies the gate. All arguments are whitened. `one_sided` marks columns for which only a

@@ -15,7 +15,7 @@ struct HiddenInput {
   std::size_t low = 0, high = 0;  ///< rows with the largest difference at one point
   /// Share of the variance that is common to the rows of a run; NaN without runs.
   double run_share = unset;
-  double run_p_value = unset;  ///< probability of such a share by chance; NaN without runs
+  double run_p_value = unset;  ///< probability of `run_share` by chance; NaN without runs
   /// Returns true if the readings change mainly from run to run, and less from row to row.
   [[nodiscard]] bool follows_the_runs() const { return run_p_value < 1e-3 && run_share > 0.5; }
 };

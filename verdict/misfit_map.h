@@ -19,7 +19,7 @@ struct MisfitCell {
 /// Map of the misfit of a model over two inputs, with the significance of each cell.
 ///
 /// The ranges come from Comparison::where: single levels if the data have few levels, otherwise
-/// bins with about equal numbers of rows. `across` is the swept input (Pattern::along). `up` is the
+/// bins with about equal numbers of rows. `across` is the swept input, Pattern::along. `up` is the
 /// first other input that varies. Settings with a ratio scale, such as loads, come first. All other
 /// inputs follow, such as temperatures, and then runs. An axis without a varying input has one
 /// range with all rows.
@@ -31,8 +31,8 @@ struct MisfitCell {
 struct MisfitMap {
   const record::Channel* across_channel = nullptr;
   const record::Channel* up_channel = nullptr;  ///< null if no other input varies
-  std::vector<ErrorRange> across;               ///< rising
-  std::vector<ErrorRange> up;                   ///< rising
+  std::vector<ErrorRange> across;               ///< ranges of the swept input, rising
+  std::vector<ErrorRange> up;                   ///< ranges of the other input, rising
   std::vector<MisfitCell> cells;                ///< cells with data, row by row of the map
   double needed_sigmas = unset;  ///< a cell with at least this many sigmas is significant
 };

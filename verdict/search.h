@@ -17,7 +17,7 @@ struct Finding {
     none,       ///< no candidate explains the misfit
     single,     ///< one candidate explains the misfit
     several,    ///< two or three candidates together
-    bent,       ///< one candidate with a bent law
+    bent,       ///< one candidate whose law is multiplied by powers of the inputs
     base_laws,  ///< both corrections of the base law together; their threshold is lower than for
                 ///< other pairs
     partly      ///< one candidate explains most of the misfit but misses the tolerance
@@ -30,7 +30,7 @@ struct Finding {
 
 /// Limits and options of a search.
 struct SearchLimits {
-  double needed_gain = unset;  ///< fall of -2 ln L that admits a candidate
+  double needed_gain = unset;  ///< fall of -2 ln L that an explanation must exceed
   int tried = 0;               ///< number of candidates tried, for the multiple-testing correction
   bool pairs = true;
   std::function<void(double share, std::string_view step)> step{};
@@ -38,8 +38,8 @@ struct SearchLimits {
 };
 
 /// Searches for an explanation of a misfit: single candidates, both corrections of the base law,
-/// pairs, triples and bent laws, in this order, until the residuals are noise. If there is a
-/// tolerance, the search ends when the held-out error is within the tolerance.
+/// pairs, triples and laws multiplied by powers, in this order, until the residuals are noise. If
+/// there is a tolerance, the search ends when the held-out error is within the tolerance.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
@@ -53,8 +53,8 @@ class Search {
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
 
-  /// Returns pairs of effects that fit well, although neither effect of a pair is proven. The
-  /// search fills this list and shape().
+  /// Returns pairs of effects that fit well, although neither effect of a pair is proven. explain()
+  /// and explain_within_tolerance() fill this list and shape().
   [[nodiscard]] const std::vector<std::vector<std::string>>& weak_pairs() const {
     return weak_pairs_;
   }
@@ -70,8 +70,8 @@ class Search {
   /// Returns true if the explanation lowers the rms residual of raises_the_error() by at least
   /// `share`.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
-  /// Returns the held-out error of an explanation divided by the tolerance, for the channel with
-  /// the largest ratio [1].
+  /// Returns the held-out error in excess of the noise, divided by the tolerance, for the channel
+  /// with the largest ratio [1].
   [[nodiscard]] double share_of_tolerance(const fit::Response& response,
                                           const fit::ResponseFit& fit) const;
 
@@ -105,7 +105,7 @@ class Search {
   std::optional<fit::Shape> shape_;
 };
 
-constexpr double within_reach = 6.0;  ///< largest difference from the best set, in -2 ln L
-constexpr double passed = 0.01;       ///< smallest p with which the gate is passed
+constexpr double within_reach = 6.0;  ///< largest difference of -2 ln L from the best set
+constexpr double passed = 0.01;       ///< smallest p-value at which residuals count as noise
 
 }  // namespace raceway::verdict

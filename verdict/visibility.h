@@ -12,7 +12,7 @@ namespace raceway::verdict {
 /// Effects that these data could show, whether or not an effect is missing.
 struct Visibility {
   std::size_t tried = 0;  ///< number of effects that can show in these readings
-  std::vector<DetectableSize> would_have_been_found;  ///< detectable size of each such effect
+  std::vector<DetectableSize> would_have_been_found;  ///< detectable sizes of these effects
   std::vector<NotTestable> not_testable;
   /// Groups of effects with the same influence on these data.
   std::vector<std::vector<std::string>> aliases;

@@ -35,10 +35,10 @@ struct ColumnProposal {
 /// Returns the numbers of a column, without cells that are not numbers.
 [[nodiscard]] std::vector<double> numbers_in(const text::CsvTable& table, std::size_t column);
 
-/// Returns the column as the channel, with its unit. The score is 20 for a stated unit, 10 for
-/// dates, and 1 for the letter t as a time or T as a temperature. Returns nothing if the column
-/// cannot be the channel: a unit of another dimension, texts, times that do not rise, temperatures
-/// that no machine has.
+/// Returns a proposal to read the column as this channel, with the unit of the column. The score is
+/// 20 for a stated unit, 10 for dates, and 1 for the letter t as a time or T as a temperature.
+/// Returns nothing if the column cannot be the channel: a unit of another dimension, texts, times
+/// that do not rise, temperatures that no machine has.
 [[nodiscard]] std::optional<ColumnProposal> column_as(const text::CsvTable& table,
                                                       std::size_t column,
                                                       const record::Channel& channel);

@@ -83,7 +83,7 @@ class ColumnReader {
   const text::CsvTable& table_;
   Mark comma_, point_;
   std::optional<ClockStart> clock_start_;
-  bool undecided_date_ = false;      ///< several date orders give the same times
+  bool undecided_date_ = false;      ///< true: several date orders give the same times
   std::vector<record::Note> notes_;  // on dates and missing readings
 
  public:

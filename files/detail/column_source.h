@@ -22,7 +22,7 @@ struct ColumnSource {
   std::size_t column;  ///< index in the file
   std::string name;    ///< name in the header, for messages
   CellUnit cells{};
-  bool excel_date = false;             ///< days since 1900 instead of a time
+  bool excel_date = false;             ///< true: the cells are days since 1900 instead of a time
   bool unit_stated = false;            ///< true: a rule of [columns] states the unit
   std::optional<std::size_t> dates{};  ///< column of the date, if `column` is the time of day
 };

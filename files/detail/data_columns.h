@@ -46,7 +46,7 @@ struct DataColumns {
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< values of channels without a column
   std::vector<std::string> others;              ///< unknown headers
-  std::vector<record::Note> notes;              ///< on units
+  std::vector<record::Note> notes;              ///< notes on units
 
   /// Returns null if the file has no column of this channel.
   [[nodiscard]] const Place* find(const record::Channel& channel) const;

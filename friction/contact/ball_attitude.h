@@ -18,7 +18,7 @@ struct BallAttitude {
   /// zero.
   double along = unset, across = unset, orbital = unset;
   SlipMotion inner_slip, outer_slip;
-  Traction inner, outer;                            ///< at each contact
+  Traction inner, outer;                            ///< traction at each contact
   double inner_force = unset, outer_force = unset;  ///< T_i, T_o as in BallBalance [N]
   double shaft_power = unset;                       ///< power taken from the shaft by traction [W]
   bearing::SolveReport report;

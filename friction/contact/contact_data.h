@@ -24,8 +24,8 @@ struct ContactData {
   AsperityLaw asperities;
 };
 
-/// Returns the inlet condition. `bath` floods the inlets. With any other supply, or with none
-/// given, a contact gets only the oil that the preceding ball leaves.
+/// Returns the inlet condition. `bath` floods the inlets. With any other or an unknown supply, a
+/// contact gets only the oil that the preceding ball leaves.
 [[nodiscard]] constexpr Inlet inlet_of(std::optional<Supply> supply) {
   return supply == Supply::bath ? Inlet::flooded : Inlet::limited;
 }

@@ -26,12 +26,13 @@ void contact_results(std::span<const BearingState<double>> states, std::span<con
 
 /// Output of friction_of_many(): one number per point; an empty span is not filled.
 struct FrictionColumns {
-  std::span<double> torque{};                                    ///< [N m]
-  std::span<double> rolling{}, sliding{}, hysteresis{}, drag{};  ///< parts of it [N m]
-  std::span<double> inner_heat{}, outer_heat{};                  ///< [W]
-  std::span<double> smallest_film{};                             ///< h_min [m]
-  std::span<double> smallest_film_ratio{};                       ///< Λ [1]
-  std::span<double> kinematic_viscosity{};  ///< viscosity of the oil at the point [m²/s]
+  std::span<double> torque{};  ///< [N m]
+  /// Parts of the friction moment [N m].
+  std::span<double> rolling{}, sliding{}, hysteresis{}, drag{};
+  std::span<double> inner_heat{}, outer_heat{};  ///< [W]
+  std::span<double> smallest_film{};             ///< h_min [m]
+  std::span<double> smallest_film_ratio{};       ///< Λ [1]
+  std::span<double> kinematic_viscosity{};       ///< viscosity of the oil at the point [m²/s]
   /// Equivalent loads of the races [N], which together with `kinematic_viscosity` determine the
   /// life by ISO/TS 16281: Q_ei = (Σ Q^3/Z)^(1/3) for the rotating inner ring, Q_ee = (Σ
   /// Q^(10/3)/Z)^(3/10) for the stationary outer ring.

@@ -72,7 +72,7 @@ class TurningBall {
   /// All forces at given slips, with their slopes for the Newton step.
   struct Look {
     SlipForces inner, outer;
-    std::array<double, 4> missing;  ///< [N]
+    std::array<double, 4> missing;  ///< imbalances [N]
     double size;                    ///< Σ|τ| of both contacts [N]
     [[nodiscard]] double largest() const {
       double most = 0.0;

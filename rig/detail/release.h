@@ -35,11 +35,11 @@ struct ReleaseOptions {
 ///
 /// The sample is a release under two conditions. The sum of squares of the first model is smaller
 /// by more than 40 times the variance of a sample. The slope before the sample is, within two
-/// deviations, at most a tenth of the slope after it. The variance comes from the part of the run
-/// in which the shaft certainly coasts, times (1 + r)/(1 - r) if neighbours are correlated by r. If
-/// the first model has a larger residual, for example because the drive hunts, the variance of this
-/// residual is used. The search is repeated on the remaining samples, so run-up and plateau may
-/// have any shape.
+/// standard deviations, at most a tenth of the slope after it. The variance comes from the part of
+/// the run in which the shaft certainly coasts, times (1 + r)/(1 - r) if neighbours are correlated
+/// by r. If the first model has a larger residual, for example because the speed control of the
+/// drive oscillates, the variance of this residual is used. The search is repeated on the remaining
+/// samples, so run-up and plateau may have any shape.
 ///
 /// Domain:   a fall that begins slowly is not treated as a plateau, because it has no kink. The
 ///           release is within `largest_fall` of the highest speed. A brake, a seal or boundary

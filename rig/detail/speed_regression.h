@@ -44,10 +44,9 @@ struct SpeedNoise {
 
 [[nodiscard]] LocalParabola local_parabola(std::span<const Block> blocks);
 
-/// Marks samples far from a robust local parabola. The distance is relative to a standard
-/// deviation: that of their part of the run (about `length` samples) or that of the whole run,
-/// whichever is larger. A short part can have too small a deviation by chance, and a curved part
-/// deviates by more than noise.
+/// Marks samples far from a robust local parabola. The run is divided into parts of about `length`
+/// samples. The limit is relative to the standard deviation of a part, or to the median over all
+/// parts if this is larger, because a short part can have a small standard deviation by chance.
 [[nodiscard]] std::vector<bool> find_outliers(std::span<const Block> samples, std::size_t length);
 
 /// Returns means of about `length` samples each.

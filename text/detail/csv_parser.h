@@ -40,7 +40,7 @@ class CsvParser {
  private:
   struct Line {
     int number = 0;
-    std::size_t begin = 0, end = 0;  ///< without the line ending
+    std::size_t begin = 0, end = 0;  ///< limits of the line, without the line ending
   };
   struct Row {
     std::vector<CellSpan> cells;

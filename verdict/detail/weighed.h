@@ -17,7 +17,7 @@ struct Weighed {
   bool noise_known = false;
   /// The weights come only from declared deviations, which may be smaller than the noise.
   bool as_declared = false;
-  bool by_misfit = false;  ///< an additional common scatter accounts for the remaining misfit
+  bool by_misfit = false;  ///< true: an additional common scatter accounts for the remaining misfit
 };
 
 /// Returns the evidence of a diagnosis; empty if the data do not support a diagnosis.

@@ -192,11 +192,11 @@ template <class F, bool film, bool asperities, bool spins>
   return total;
 }
 
-/// Σ τ_x = 0 of each contact: Newton's method kept in a bracket. The search ends when the residual
-/// is 3e-4 of the force; the slope then gives the power to the square of that error. It also ends
-/// when the bracket is 5e-4 of the first one, because points that change direction cause jumps of
-/// the force; there the power hardly depends on v_x0. If a step does not halve the force, the chord
-/// of the bracket replaces it, because the jumps are small compared with the chord.
+/// Solves Σ τ_x = 0 for each contact by Newton's method within a bracket. The search ends when
+/// |Σ τ_x| is at most 3e-4 Σ |τ|. The power is then corrected along its slope to the zero. The
+/// search also ends when the bracket is 5e-4 of the first one, because Σ τ_x jumps where points
+/// change their direction; there the power hardly depends on v_x0. If a step does not halve Σ τ_x,
+/// the chord of the bracket replaces the step, because the jumps are small compared with the chord.
 template <class F, bool film, bool asperities, bool spins>
 void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   const F zero(0.0f);
