@@ -444,7 +444,7 @@ TEST(ControlPython, ARecordWithOtherHeadersIsRefusedWithTheOnesThatAreNeeded) {
     const std::string said = c.folder.shell(
         fmt::format("python3 z.py {} > numbers 2> said; test $? -eq 1; cat said", record));
     EXPECT_EQ(said,
-              fmt::format("{}: the header has no time_s, front_temperature_C; needed are time_s, "
+              fmt::format("{}: the header has no time_s, front_temperature_C; the record needs time_s, "
                           "front_temperature_C\n",
                           record));
     EXPECT_EQ(text_of(c.folder.file("numbers")), "");
@@ -548,7 +548,7 @@ TEST(ControlState, OfAnotherModelIsRefused) {
       c.folder.shell("python3 -c '\nimport a, b\nb.Correction().restore(b.Correction().state())"
                      "\ntry:\n  b.Correction().restore(a.Correction().state())\n"
                      "except ValueError as e: print(e)'"),
-      "the state is of another model\n");
+      "the state belongs to another model\n");
 }
 
 TEST(ControlState, OfAnotherFormatIsRefusedWithAdvice) {
@@ -562,7 +562,7 @@ TEST(ControlState, OfAnotherFormatIsRefusedWithAdvice) {
                            "state.pop(\"format\")\na.Correction().restore(state)\n"
                            "state[\"format\"] = 2\ntry:\n  a.Correction().restore(state)\n"
                            "except ValueError as e: print(e)'"),
-            "the state has format 2, this program reads 1; start without it\n");
+            "the state has format 2, but this program reads only 1; start without the state\n");
 }
 
 TEST(ControlPython, RunsOverARecordByHand) {
