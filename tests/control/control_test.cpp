@@ -443,10 +443,11 @@ TEST(ControlPython, ARecordWithOtherHeadersIsRefusedWithTheOnesThatAreNeeded) {
   for (const char* record : {"other.csv", "empty.csv"}) {
     const std::string said = c.folder.shell(
         fmt::format("python3 z.py {} > numbers 2> said; test $? -eq 1; cat said", record));
-    EXPECT_EQ(said,
-              fmt::format("{}: the header has no time_s, front_temperature_C; the record needs time_s, "
-                          "front_temperature_C\n",
-                          record));
+    EXPECT_EQ(
+        said,
+        fmt::format("{}: the header has no time_s, front_temperature_C; the record needs time_s, "
+                    "front_temperature_C\n",
+                    record));
     EXPECT_EQ(text_of(c.folder.file("numbers")), "");
   }
 }
