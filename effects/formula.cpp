@@ -29,7 +29,7 @@ constexpr std::array known_variables{
              [](const In& i) { return celsius(i.state.temperature); }},
     Variable{"viscosity_mm2_s", "kinematic viscosity of the film",
              [](const In& i) { return i.state.kinematic_viscosity / mm2_per_s; }},
-    Variable{"time_s", "time by the clock of the file", nullptr, &record::time},
+    Variable{"time_s", "time of the row", nullptr, &record::time},
     Variable{"inner_ring_temperature_C", "measured in the same row", nullptr,
              &record::inner_ring_temperature},
     Variable{"outer_ring_temperature_C", "measured in the same row", nullptr,

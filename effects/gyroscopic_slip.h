@@ -24,7 +24,7 @@ namespace raceway::effects {
 struct GyroscopicSlip {
   static constexpr std::string_view id = "gyroscopic-slip";
   static constexpr std::string_view title =
-      "a moment that follows the gyroscopic moment (empirical)";
+      "a moment in proportion to the gyroscopic moment (empirical)";
   static constexpr std::string_view mechanism =
       "In angular contact the orbit turns the spin axis of each ball, which causes a gyroscopic "
       "moment proportional to the square of speed. The effect is empirical: its friction moment is "

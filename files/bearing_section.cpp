@@ -21,7 +21,7 @@ constexpr Key keys_of_bearing[]{
      "designation of a bearing; if it is not in the catalogue, the program estimates the bearing. "
      "All other keys of this table are then optional; a given key replaces the value of the "
      "catalogue"},
-    {"name", a_text, "designation, else name of the file", "for results"},
+    {"name", a_text, "designation, else name of the file", "name in the results"},
     {"ball_count", whole(3, 200), "of the catalogue",
      "number of balls; they must fit on the pitch circle"},
     {"ball_diameter_mm", between(0.1, 300, "mm"), "of the catalogue", "diameter of a ball"},

@@ -16,7 +16,7 @@ namespace {
 
 const model::Spindle usual_spindle;
 constexpr Key own_spindle_keys[]{
-    {"name", a_text, "as the bearing", "for results"},
+    {"name", a_text, "as the bearing", "name in the results"},
     {"preload_feedback", a_flag, "true",
      "preload used for the friction; true: forces of the bearing sets in the warm spindle, false: "
      "in the cold spindle at the same speed"},
