@@ -51,7 +51,9 @@ void print_noise(const correction::RecordCheck& c) {
   if (!r.known()) {
     if (std::isfinite(c.noise_at_most))
       fmt::print(
-          "noise of a reading: at most {} {}, estimated from the calmest quarter of the readings\n",
+          "noise of a reading: at most {} {}, estimated from the quarter of the readings nearest "
+          "to "
+          "the lines between their neighbours\n",
           number(c.noise_at_most / um, 2), unit);
     return;
   }
