@@ -427,7 +427,8 @@ TEST(ControlPlan, RefusesEquationsThatNeverDecayOrHaveTwoSamplings) {
                 "unit circle"));
   EXPECT_THAT(
       refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
-      HasSubstr("for calls every 2 s, but those of another channel are for calls every 1 s"));
+      HasSubstr(
+          "for calls every 2 s, but the polynomials of another channel are for calls every 1 s"));
   EXPECT_EQ(refused(model("z", 2, "[1, 0.5]") + model("y", 2, "[1, 0.5]")), "taken");
 }
 
