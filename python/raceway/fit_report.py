@@ -210,8 +210,10 @@ def _addition(data: dict[str, Any]) -> list[str]:
         lines += _fact("chi-square before", f"{before['chi_square']:.6g}")
         lines += _fact("gain", number(data["gain"], 5))
         lines += _fact("dAIC, dBIC", _pair({key: calibration[key] - before[key] for key in ("aic", "bic")}))
-        lines += wrapped("dAIC, dBIC: value after minus value before, with the same noise. gain: decrease of -2 ln L, minus ln N "
-            "for each free shape parameter of an effect.")
+        lines += wrapped(
+            "dAIC, dBIC: value after minus value before, with the same noise. gain: decrease of -2 ln L, minus ln N "
+            "for each free shape parameter of an effect."
+        )
     lines += ["[[Rows held out]]"]
     for part in data.get("hold_out", []):
         lines += wrapped(
