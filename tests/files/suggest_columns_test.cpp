@@ -178,7 +178,7 @@ TEST(SuggestColumns, OfABareCorrectionAreAllInputs) {
   EXPECT_THAT(map,
               HasSubstr("\nlager_vorn_temperature_C = { column = \"T Lager vorn [\u00b0C]\", unit "
                         "= \"C\" }\n"));
-  EXPECT_THAT(map, Not(HasSubstr("not asked for")));
+  EXPECT_THAT(map, Not(HasSubstr("does not use")));
 }
 
 }  // namespace
