@@ -51,7 +51,9 @@ void print_noise(const correction::RecordCheck& c) {
   if (!r.known()) {
     if (std::isfinite(c.noise_at_most))
       fmt::print(
-          "noise of a reading: at most {} {}, estimated from the calmest quarter of the readings\n",
+          "noise of a reading: at most {} {}, estimated from the quarter of the readings nearest "
+          "to "
+          "the lines between their neighbours\n",
           number(c.noise_at_most / um, 2), unit);
     return;
   }
@@ -94,13 +96,15 @@ void print_check(const loop::Check& c, const record::Record& data) {
 
 void print_settings_hold(record::SettingsHold hold) {
   const bool until = hold == record::SettingsHold::until_row;
-  fmt::print("settings (speed, load, feed, coolant) apply from {}; a reading was taken {} ({})\n",
-             until ? "the previous row to their row" : "their row to the next row",
-             hold == record::SettingsHold::from_row ? "just before the change"
-                                                    : "under the settings of its row",
-             hold == record::SettingsHold::sampled
-                 ? "no settings_hold"
-                 : fmt::format("settings_hold = \"{} row\"", until ? "until" : "from"));
+  fmt::print(
+      "settings (speed, load, feed, coolant) of a row apply from {}; its reading was taken {} "
+      "({})\n",
+      until ? "the previous row to this row" : "this row to the next row",
+      hold == record::SettingsHold::from_row ? "just before the change"
+                                             : "with the settings of this row",
+      hold == record::SettingsHold::sampled
+          ? "settings_hold is not given"
+          : fmt::format("settings_hold = \"{} row\"", until ? "until" : "from"));
 }
 
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults) {

@@ -115,7 +115,7 @@ std::string bash_completion(const CLI::App& app) {
                                                       : "$(_raceway_effects)");
   }
   return fmt::format(R"(# bash completion of raceway; made by: raceway describe bash
-# Effects for the model that is named first; all where it cannot be read.
+# Effects for the first model of the command line; all effects if it cannot be read.
 _raceway_effects() {{
   local model=${{COMP_WORDS[2]}}
   if [[ -f $model ]] && grep -q '^ *\[*correction' -- "$model"; then
@@ -163,7 +163,7 @@ std::string zsh_completion(const CLI::App& app) {
   }
   return fmt::format(R"(#compdef raceway
 # zsh completion of raceway; made by: raceway describe zsh
-# Effects for the model that is named first; all where it cannot be read.
+# Effects for the first model of the command line; all effects if it cannot be read.
 _raceway_files_and_effects() {{
   local on_bearings='{0}'
   local over_time='{1}'

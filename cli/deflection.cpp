@@ -131,8 +131,8 @@ Run setup_deflection(CLI::App& command) {
   add_number(command, "--axial-force", flags->axial_force_N, signed_load_range,
              "axial force [N] in addition to a radial force, positive towards the tool");
   add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
-             "moment at the position --at [N m]; it is positive if it turns the shaft like a "
-             "positive force further forward, at the tool");
+             "moment at the position --at [N m]; a positive moment turns the shaft like a "
+             "positive radial force nearer to the tool");
   add_number(command, "--at", flags->at_mm, session::at_range,
              "position of the force behind the nose face [mm]; default 0");
   command

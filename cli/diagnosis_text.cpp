@@ -71,7 +71,7 @@ void print_verdict_details(const verdict::Diagnosis& d) {
   print_intervals(d);
   print_hold_out(d);
   if (d.tolerance_limited() && !d.significant_but_immaterial.empty())
-    fmt::print("certain, but within the tolerance: {}\n",
+    fmt::print("significant, but within the tolerance: {}\n",
                fmt::join(d.significant_but_immaterial, ", "));
   print_other_bases(d);
   if (d.shape) print_shape(*d.shape);

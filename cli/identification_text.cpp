@@ -114,9 +114,8 @@ void print_identification(const correction::Identification& found, const record:
 void print_more_errors(const record::Channel& displacement, const correction::Metrics& m) {
   if (m.readings == 0) return;
   fmt::print(
-      "{}: mean absolute error {} {unit}, peak to peak {} {unit}; the largest error is {} % below "
-      "the "
-      "largest displacement\n",
+      "{}: mean absolute error {} {unit}, peak to peak {} {unit}; the largest error is {} % "
+      "smaller than the largest displacement\n",
       displacement.name, number(m.mean_abs / um, 3), number(m.peak_to_peak / um, 3),
       number(m.reduction_of_max_percent, 3), fmt::arg("unit", displacement.unit));
 }

@@ -45,8 +45,9 @@ sigset_t signals_to_stop() {
 [[noreturn]] void stop(int number, const sigset_t& set) {
   const std::vector<std::string> written = text::stop_writing();
   write_message(fmt::format("{}raceway: stopped; {}\n", isatty(STDERR_FILENO) != 0 ? "\n" : "",
-                            written.empty() ? "no file was written or changed"
-                                            : "whole and kept: " + text::listed(written)));
+                            written.empty()
+                                ? "no file was written or changed"
+                                : "these files are complete: " + text::listed(written)));
   std::signal(number, SIG_DFL);
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
   std::raise(number);

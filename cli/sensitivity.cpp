@@ -87,8 +87,8 @@ Run setup_sensitivity(CLI::App& command) {
           "raceway solve. Default: torque; for a shaft: displacement")
       ->type_name("NAMES");
   flags->axes.declare(command,
-                      "speeds [rpm]; all axes: a list such as 100,300,900 or a range from:to:step "
-                      "such as 0:12000:2000");
+                      "speeds [rpm]; write each axis as a list such as 100,300,900 or as a range "
+                      "from:to:step such as 0:12000:2000");
   command.add_flag("--steady", flags->steady, "use the steady state of a whole spindle");
   command.add_flag("--no-coolant", flags->no_coolant, "with --steady: switch off the coolant flow");
   command

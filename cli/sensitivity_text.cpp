@@ -128,7 +128,7 @@ void print_sensitivity(const results::Sensitivity& s, bool all) {
     print_prediction(s, p, all);
   }
   fmt::print("\n");
-  if (!s.does_not_enter.empty()) print_words("does not enter: " + text::listed(s.does_not_enter));
+  if (!s.does_not_enter.empty()) print_words("no influence: " + text::listed(s.does_not_enter));
   print_reasons("not varied", s.not_varied);
   print_reasons("not sampled", s.not_sampled);
 }

@@ -36,9 +36,9 @@ void print_sums(const model::Model& model, const shaft::ShaftPrediction& p) {
   const bearing::ArrangementEquilibrium& e = p.equilibrium;
   const bearing::Arrangement a = shaft::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
-  fmt::print("\naxial displacement  {:>10} um      against standstill, positive towards the tool\n",
+  fmt::print("\naxial displacement  {:>10} um      from standstill, positive towards the tool\n",
              number(p.displacement / um));
-  fmt::print("axial position      {:>10} um      against the mounted state without external load\n",
+  fmt::print("axial position      {:>10} um      from the mounted state without external load\n",
              number(e.position / um));
   fmt::print("axial stiffness     {:>10} N/um\n", number(e.axial_stiffness / N_per_um));
   fmt::print("front force         {:>10} N       rear force        {:>8} N\n",

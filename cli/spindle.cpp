@@ -162,8 +162,8 @@ Run setup_spindle(CLI::App& command) {
   add_number(command, "--radial-load", flags->radial_load_N, signed_load_range,
              "radial load at the nose [N]; needs --steady; default 0");
   add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
-             "moment at the nose [N m]; it is positive if it turns the shaft like a positive "
-             "radial load further forward; needs --steady");
+             "moment at the nose [N m]; a positive moment turns the shaft like a positive "
+             "radial load in front of the nose; needs --steady");
   add_number(command, "--belt-force", flags->belt_force_N, load_range,
              "belt force [N]; needs --steady; default: [drive] of the model");
   add_number(command, "--motor-power", flags->motor_power_W, power_range,

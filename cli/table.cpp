@@ -155,8 +155,8 @@ Run setup_table(CLI::App& command) {
   auto flags = std::make_shared<TableFlags>();
   declare_model(command, flags->model);
   flags->axes.declare(command,
-                      "speeds [rpm]; all axes: a list such as 100,300,900 or a range from:to:step "
-                      "such as 0:12000:250");
+                      "speeds [rpm]; write each axis as a list such as 100,300,900 or as a range "
+                      "from:to:step such as 0:12000:250");
   flags->declare_output(command, "CSV file to write; - for stdout");
   command
       .add_option("--slab", flags->slab,

@@ -105,8 +105,8 @@ std::vector<std::string> coarse_sensors(const ControlPlan& plan, const record::R
       for (const ControlSection& s : a.sections) add(s.drive, s.direct * s.gain);
       if (!(std::abs(per_K) * step_K >= noticed_um)) continue;
       notes.push_back(fmt::format(
-          "{} reads in steps of {:.3g} K, each of which moves {} by {:.3g} {} at once: [export] "
-          "smoothing_s = {{ {} = 60 }} spreads them",
+          "{} has steps of {:.3g} K, and each step moves {} by {:.3g} {} immediately; [export] "
+          "smoothing_s = {{ {} = 60 }} smooths the steps",
           in.column, step_K, a.column, std::abs(per_K) * step_K, unit_of(a), in.column));
     }
   }

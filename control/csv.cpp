@@ -17,67 +17,72 @@ namespace {
 using DriveKind = ControlDrive::Kind;
 
 constexpr std::string_view formulas =
-    R"(# One number a row. Displacements in um; temperatures in C, their rises in K; dt in s as measured.
-# rise   u = mean of (T - T at the first call) of the inputs, less the same of the reference
-# size   u = mean of the inputs x without their sign; with an exponent of x (x/1000)^(exponent - 1), x held at its highest
-# power  u = torque of the friction table [N mm] / 1000 * speed [rpm] * pi/30, table straight between points, edge held
+    R"(# One number per row. Displacements in um, temperatures in C, their rises in K, dt = measured time since the last call in s.
+# rise   u = mean of (T - T at the first call) over the inputs, minus the same value of the reference
+# size   u = mean of the inputs x without sign; with an exponent, mean of x (x/1000)^(exponent - 1), with x at most highest
+# power  u = torque of the friction table [N mm] / 1000 * speed [rpm] * pi/30; the torque is interpolated linearly in the
+#        table, and outside the table it keeps the value at the edge
 # motor  u = exp(-speed/decay_speed) while the speed is above 0, else 0
-# section      s = s + (1 - exp(-dt/time_constant)) * (gain*u - s), s = 0 at first, u as it was at the call before;
-#              where the course is straight, add weight * gain * (u now - u before),
+# section      s = s + (1 - exp(-dt/time_constant)) * (gain*u - s), with s = 0 at the first call and u of the last call;
+#              if course is straight, add weight * gain * (u now - u of the last call), with
 #              weight = 1 - (1 - exp(-dt/time_constant))/(dt/time_constant)
 # feedthrough  gain * u now
-# kinematic    A * n^(1 - B*exp(-C*n)), n = speed without its sign [rpm], 0 at n = 0
-# displacement = offset + sum of all of its sections, elements, feedthroughs and kinematics
-# Beyond lowest and highest of an input: raise a flag; feedthrough and kinematic take the input at its limit,
-#              what acts by its size (speeds, feeds, power) at its highest alone; motor takes the speed within both.
+# kinematic    A * n^(1 - B*exp(-C*n)), n = speed without sign [rpm]; 0 at n = 0
+# displacement = offset + sum of its sections, elements, feedthroughs and kinematics
+# If an input is outside lowest and highest, raise a flag. feedthrough and kinematic then use the value at the limit; for
+#              speeds, feeds and power, only highest is a limit. motor limits the speed at both ends.
 )";
 
 constexpr std::string_view together_formulas =
-    R"(# together     raise a flag where sqrt(sum of the squares of z) is above farthest; z of each of its inputs the sum of
-#              weight * (input now - mean) over the inputs whose weights it has, sizes without their sign
+    R"(# together     Raise a flag if sqrt(sum of z^2) is above farthest. Each input of the part has one z: the sum of
+#              weight * (input now - mean) over the inputs for which it has a weight; speeds and feeds without sign.
 )";
 
 constexpr std::string_view answer_formulas =
-    R"(# Section with more numbers, where f = 1/(1 + speed_factor*speed/10000), speed of the call before:
-#   gain*u takes the factors f^gain_power and, where coolant_on was 0, off_gain; time_constant the factors f and,
-#   where coolant_on was 0, off_time_constant, and falling where gain*u, mean of both calls, is nearer 0 than s.
-#   It adds s + direct*(gain*u now - s), here gain without factors.
+    R"(# Section with more numbers: f = 1/(1 + speed_factor*speed/10000), with the speed of the last call.
+#   Multiply gain by f^gain_power, and by off_gain if coolant_on was 0 at the last call. Multiply time_constant by f, by
+#   off_time_constant if coolant_on was 0 at the last call, and by falling if (g - s)*gain < 0, where g is the mean of
+#   gain*u of both calls (with u of the last call alone if course is held).
+#   The section adds s + direct*(gain*u now - s), with the gain of the table.
 )";
 
 constexpr std::string_view element_formulas =
-    R"(# element      a section with gain K(u), 0 at u = 0, and time constant T(u), u that of the call before, which the inputs
-#              give within their lowest and highest; it stands still where u is below `from` (0 where it is not given) or not
-#              below its limit. A line is slope*u + value_at_0, a power law factor*u^exponent, a table straight between
-#              points, ends held
+    R"(# element      s = s + (1 - exp(-dt/T)) * (scale*K - s), with s = 0 at the first call. The gain K and the time constant T
+#              are functions of the u of the last call, calculated from inputs within lowest and highest; K = 0 at u = 0.
+#              If u is below `from` (default 0), or not below `limit`, s keeps its value. The function is a line,
+#              slope*u + value_at_0, a power law, factor*u^exponent, or a table, which is interpolated linearly and keeps
+#              its end values.
 )";
 
 constexpr std::string_view schema =
-    R"(# Columns: of, the column of the input or displacement that a number is of; channel, that it comes from; part; name; value;
-#          unit. Parts: control, input, together N, displacement, section N, element N, feedthrough N, kinematic N, check. Inputs and displacements have the order of their rows. Numbers have 15 digits, none is without end.
-#          raceway export reads this table in the place of a model, after numbers were changed too.
-# control  offset = sign * (displacement - that of the last touch-off) + the offset there, within +-limit, by at most
-#          slew a second; it is handed out over unit, rounded where counts is 1. Inputs beyond plausible, faster than
-#          fastest or longer still than stuck are at fault: docs/control.md
-# check    a record with the displacements that correct gives for it; without limits, slew, sign or touch-off
+    R"(# Columns: of: input or displacement to which the number belongs; channel: channel of the model; part; name; value; unit.
+#          Parts: control, input, together N, displacement, section N, element N, feedthrough N, kinematic N, check.
+#          The order of inputs and displacements is the order of their rows. Numbers have 15 digits; limit = none: no limit.
+#          raceway export can read this table instead of a model, also after you have changed numbers.
+# control  offset = sign * (displacement - displacement at the last touch-off) + offset at the last touch-off, from -limit to
+#          limit. The offset changes by at most slew per second. Output: offset / unit, rounded if counts is 1. An input is
+#          faulty if it is outside plausible, changes faster than fastest, or stays constant longer than stuck (docs/control.md).
+# check    record with the displacements that raceway correct predicts for it, without limit, slew, sign and touch-off
 )";
 
 constexpr std::string_view sign_formulas =
-    R"(# Inputs in other units than rpm, m/min, C, and 0 or 1, act with their sign, as they stand.
+    R"(# Inputs keep their sign, except inputs with the unit rpm, m/min or 0 or 1.
 )";
 
 constexpr std::string_view load_formulas =
-    R"(# A friction table is read at axial_load_input and radial_load_input, by their amount where it has no load below 0.
+    R"(# The friction table is read at axial_load_input and radial_load_input; if it has no loads below 0, without their sign.
 )";
 
 constexpr std::string_view window_formulas =
-    R"(# window       share of its input x: 0 outside of window_from and window_to, 1 between window_full_from and window_full_to,
-#              straight between. Where it acts on the input u takes this factor, on the displacement what the part adds
+    R"(# window       factor from its input x: 0 outside window_from and window_to, 1 between window_full_from and window_full_to,
+#              and linear between. If window_acts_on is input, multiply u by the factor; if it is displacement, multiply the
+#              displacement of the part.
 )";
 
 constexpr std::string_view equation_formulas =
-    R"(# equation     a part "equation N": y = sum of numerator i * u of i calls before - sum of denominator i * y of i calls before, in double; it adds
-#              scale * y. Only where the call comes `sampling` after the one before, within 5 %: else it stands still, with
-#              a flag
+    R"(# equation     part "equation N": y = sum of numerator i * (u of i calls before) - sum of denominator i *
+#              (y of i calls before), in double precision; the part adds scale * y. y changes only if dt equals sampling
+#              within 5 %; otherwise y keeps its value, and a flag is raised.
 )";
 
 class Table {

@@ -11,7 +11,8 @@ namespace raceway::control {
 std::string control_hal(const ControlPlan& plan, std::string_view name, std::string_view program) {
   std::string text = control_heading(plan, "# ");
   text += fmt::format(
-      "# In the INI:\n#   [HAL]\n#   HALFILE = {0}.hal\n#   SHUTDOWN = {0}_shutdown.hal\n", name);
+      "# Add to the INI:\n#   [HAL]\n#   HALFILE = {0}.hal\n#   SHUTDOWN = {0}_shutdown.hal\n",
+      name);
   std::string nets;
   for (const ControlAxis& a : plan.axes) {
     if (a.letter.empty())
@@ -37,10 +38,11 @@ std::string control_hal(const ControlPlan& plan, std::string_view name, std::str
       "measured from the first call.\n",
       name);
   for (const ControlInput& in : plan.inputs)
-    text += fmt::format("#   net SIGNAL => {}.{}   # {}{}\n", name, in.column, in.unit,
-                        std::isnan(in.lowest)
-                            ? std::string()
-                            : fmt::format(", found in {:.6g} to {:.6g}", in.lowest, in.highest));
+    text += fmt::format(
+        "#   net SIGNAL => {}.{}   # {}{}\n", name, in.column, in.unit,
+        std::isnan(in.lowest)
+            ? std::string()
+            : fmt::format(", {:.6g} to {:.6g} in the training data", in.lowest, in.highest));
   text += fmt::format(
       "#   net SIGNAL => {0}.enable\n#   net SIGNAL => {0}.touch-off\n"
       "#   net SIGNAL <= {0}.alarm\n",

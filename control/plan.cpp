@@ -267,8 +267,8 @@ class Planner {
     const correction::TransferFunction f = correction::direct_form(*c.printed, c.input.factor());
     if (const double other = sampling_of(plan_); !std::isnan(other) && other != f.sampling)
       throw refused(fmt::format(
-          "the polynomials of this channel are for calls every {:g} s, but those of another "
-          "channel are for calls every {:g} s; export each displacement to a separate file",
+          "the polynomials of this channel are for calls every {:g} s, but the polynomials of "
+          "another channel are for calls every {:g} s; export each displacement to a separate file",
           f.sampling, other));
     note(fmt::format(
         "channel {}: exported as a difference equation, because {}. The program must be called "

@@ -11,8 +11,8 @@ namespace raceway::control {
 namespace {
 
 constexpr std::string_view by_hand =
-    "#\n# By hand over a record: python3 FILE RECORD.csv > corrected.csv\n"
-    "# Against a stored record: python3 FILE --check\n";
+    "#\n# To correct a record: python3 FILE RECORD.csv > corrected.csv\n"
+    "# To check this file with its stored record: python3 FILE --check\n";
 
 std::string number(double value) { return control_number(value, "None"); }
 std::string place(std::size_t index) {
@@ -116,13 +116,13 @@ std::string axis_text(const ControlPlan& plan, const ControlAxis& a) {
       harmless(a.name), a.column, a.output, a.letter, fmt::join(used_inputs(plan, a), ", "),
       number(a.sign), number(a.limit_um), number(a.slew_um_s), number(a.unit_um),
       a.counts ? "True" : "False", number(a.offset_um));
-  if (a.angle) text += "     \"angle\": True,  # urad in the place of um\n";
+  if (a.angle) text += "     \"angle\": True,  # urad instead of um\n";
   text += "     \"sections\": [\n";
   for (const ControlSection& s : a.sections) text += section_text(s);
   text += "     ],\n     \"elements\": [\n";
   for (const ControlElement& e : a.elements)
     text += fmt::format(
-        "         # {}; of gain [{}] and time constant [s] over its drive [{}]\n"
+        "         # {}; gain [{}] and time constant [s] as functions of the drive [{}]\n"
         "         {{\"drive\": {}, \"scale\": {}, \"from\": {}, \"limit\": {},\n"
         "          \"gain\": {},\n          \"time_constant\": {}}},\n",
         harmless(e.channel), unit_of(a), plan.drives[e.drive].unit, e.drive, number(e.scale),

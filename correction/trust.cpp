@@ -136,14 +136,14 @@ Trust trust_of(const Model& model) {
         "another day: record a cool-down as well, or test it with another record (identify "
         "--validate)");
   if (!e.other_record && slowest.time_constant > e.duration)
-    return refused(fmt::format("a time constant of {} is {}, longer than its record of {}",
+    return refused(fmt::format("a time constant of {} is {}, longer than the record of {}",
                                slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
   if (leaves_most(e.error, e.uncorrected))
     return refused(fmt::format("{}; the displacement without correction is {}", errs_by(model),
                                shown(model, e.uncorrected)));
   if (!e.other_record && three_of_them * slowest.time_constant > e.duration)
     return limited(fmt::format(
-        "a time constant of {} is {}, and its record of {} is shorter than three of them",
+        "a time constant of {} is {}, and the record of {} is shorter than three time constants",
         slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
   if (std::isfinite(model.tolerance)) {
     if (e.error > model.tolerance)

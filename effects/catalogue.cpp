@@ -159,7 +159,7 @@ std::string_view text(Need need) {
       return "the palmgren law: the skf law already contains this effect, and a friction table may "
              "contain it";
     case Need::opposed_sets:
-      return "bearings at both ends of the shaft: the spring of a tandem keeps its preload";
+      return "bearings at both ends of the shaft: in a tandem, a spring keeps the preload constant";
     case Need::torque_standard:
       return "a known reference torque: the measured torque alone does not separate this effect "
              "from a common factor on all moments";

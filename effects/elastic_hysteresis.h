@@ -28,7 +28,8 @@ struct ElasticHysteresis {
       "M = c sum of 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.519e-3 (R_z/R_x - 1)^0.8063) "
       "(E'_steel/E')^(1/3) w_roll/w, SI; R_x, R_z: equivalent radii along and across rolling";
   static constexpr std::string_view within_contacts = "hysteresis_factor under [friction]";
-  static constexpr std::string_view not_for_rollers = "its formula is for point contacts";
+  static constexpr std::string_view not_for_rollers =
+      "the formula of the effect is for point contacts";
   static constexpr std::string_view source =
       "[Houpert2002] as quoted by [Balan2015, eq. 9], originals not seen; (E'_steel/E')^(1/3) "
       "derived";

@@ -29,29 +29,29 @@ constexpr std::array known_variables{
              [](const In& i) { return celsius(i.state.temperature); }},
     Variable{"viscosity_mm2_s", "kinematic viscosity of the film",
              [](const In& i) { return i.state.kinematic_viscosity / mm2_per_s; }},
-    Variable{"time_s", "time by the clock of the file", nullptr, &record::time},
-    Variable{"inner_ring_temperature_C", "measured in the same row", nullptr,
+    Variable{"time_s", "time of the row", nullptr, &record::time},
+    Variable{"inner_ring_temperature_C", "inner ring temperature of the row", nullptr,
              &record::inner_ring_temperature},
-    Variable{"outer_ring_temperature_C", "measured in the same row", nullptr,
+    Variable{"outer_ring_temperature_C", "outer ring temperature of the row", nullptr,
              &record::outer_ring_temperature},
     Variable{"load_torque_Nmm", "load moment of the base law",
              [](const In& i) { return i.base.load / N_mm; }},
     Variable{"viscous_torque_Nmm", "viscous moment of the base law",
              [](const In& i) { return i.base.viscous / N_mm; }},
-    Variable{"pitch_diameter_mm", "of the bearing",
+    Variable{"pitch_diameter_mm", "pitch diameter of the bearing",
              [](const In& i) { return i.state.pitch_diameter() / mm; }},
-    Variable{"ball_diameter_mm", "of the bearing",
+    Variable{"ball_diameter_mm", "ball diameter of the bearing",
              [](const In& i) {
                return of_balls(i, [](const Geometry& g) { return g.ball_diameter / mm; });
              }},
     Variable{
-        "ball_count", "of the bearing",
+        "ball_count", "number of balls",
         [](const In& i) { return of_balls(i, [](const Geometry& g) { return g.ball_count; }); }},
-    Variable{"contact_angle_deg", "of the bearing",
+    Variable{"contact_angle_deg", "nominal contact angle of the bearing",
              [](const In& i) {
                return of_balls(i, [](const Geometry& g) { return g.contact_angle / degree; });
              }},
-    Variable{"static_load_rating_N", "of the bearing", [](const In& i) {
+    Variable{"static_load_rating_N", "static load rating C0 of the bearing", [](const In& i) {
                return of_balls(i, [](const Geometry& g) { return g.static_load_rating; });
              }}};
 

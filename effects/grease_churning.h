@@ -26,7 +26,7 @@ struct GreaseChurning {
   static constexpr std::string_view formula = "M = A M0 exp(-t/tau)";
   static constexpr std::string_view source = "[Lugt2009], original not seen";
   static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift", "f0"};
-  static constexpr std::string_view settled_by = "the first points once more at the end";
+  static constexpr std::string_view settled_by = "a repetition of the first points at the end";
   static constexpr std::array parameters{Parameter{.name = "factor",
                                                    .unit = "1",
                                                    .initial = 0.5,

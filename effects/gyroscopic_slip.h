@@ -24,7 +24,7 @@ namespace raceway::effects {
 struct GyroscopicSlip {
   static constexpr std::string_view id = "gyroscopic-slip";
   static constexpr std::string_view title =
-      "a moment that follows the gyroscopic moment (empirical)";
+      "a moment in proportion to the gyroscopic moment (empirical)";
   static constexpr std::string_view mechanism =
       "In angular contact the orbit turns the spin axis of each ball, which causes a gyroscopic "
       "moment proportional to the square of speed. The effect is empirical: its friction moment is "
@@ -34,7 +34,8 @@ struct GyroscopicSlip {
   static constexpr std::string_view formula =
       "M = c sum of M_g over the balls: an empirical shape, not a friction law";
   static constexpr std::string_view within_contacts =
-      "race_control = \"balanced\" under [solver], which turns the balls by traction";
+      "race_control = \"balanced\" under [solver], with which the ball rotation follows from the "
+      "tractions";
   static constexpr std::string_view not_for_rollers =
       "the axes of cylindrical rollers are parallel to the shaft, without gyroscopic moment";
   static constexpr std::string_view source =

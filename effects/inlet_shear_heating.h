@@ -26,7 +26,8 @@ struct InletShearHeating {
   static constexpr std::string_view formula = "M0 / (1 + c 1.84e-9 (n d_m)^1.28 nu^0.64)";
   static constexpr std::string_view within_contacts =
       "rolling_factor under [friction], which has its own thermal factor";
-  static constexpr std::string_view not_for_rollers = "its constants are for ball bearings";
+  static constexpr std::string_view not_for_rollers =
+      "the constants of the effect are for ball bearings";
   static constexpr std::string_view source = "SKF general catalogue (2006), p. 91-101";
   static constexpr std::array<std::string_view, 4> confused_with{
       "film-self-heating", "shear-thinning", "replenishment-starvation", "viscous-exponent"};

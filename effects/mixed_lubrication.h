@@ -29,7 +29,8 @@ struct MixedLubrication {
       "M = mu exp(-2.6e-8 (nu n)^1.4 d_m) 0.013 d_m^0.26 (F_r^(4/3) + 0.68 F_a^(4/3)), N mm";
   static constexpr std::string_view within_contacts =
       "mu_boundary under [friction], race_roughness_um under [bearing]";
-  static constexpr std::string_view not_for_rollers = "its constants are for ball bearings";
+  static constexpr std::string_view not_for_rollers =
+      "the constants of the effect are for ball bearings";
   static constexpr std::string_view source =
       "sliding moment of the SKF general catalogue (2006), p. 91-101";
   static constexpr std::array<std::string_view, 3> confused_with{"seal-friction", "z",

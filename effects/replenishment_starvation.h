@@ -28,7 +28,8 @@ struct ReplenishmentStarvation {
       "flowed back, the film is thinner and has less drag.";
   static constexpr std::string_view formula = "M0 exp(-K nu n (d + D) sqrt(4.4 / (2 (D - d))))";
   static constexpr std::string_view within_contacts = "K_rs under [friction]";
-  static constexpr std::string_view not_for_rollers = "its constants are for ball bearings";
+  static constexpr std::string_view not_for_rollers =
+      "the constants of the effect are for ball bearings";
   static constexpr std::string_view source = "SKF general catalogue (2006), p. 91-101";
   static constexpr std::array<std::string_view, 4> confused_with{
       "inlet-shear-heating", "film-self-heating", "shear-thinning", "viscous-exponent"};

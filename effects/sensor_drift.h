@@ -85,7 +85,7 @@ inline constexpr SensorCard<1> torque_time_drift{
              .plausible_lower = -20.0,
              .plausible_upper = 20.0},
     .size_power = 3.0,
-    .settled_by = "the first points once more at the end"};
+    .settled_by = "a repetition of the first points at the end"};
 
 /// Data sheets of eddy-current transducers give a drift of 0.02 to 0.05 % of full scale per kelvin,
 /// or 2 to 5 um per 10 K for a range of 1 mm. Ring temperatures act through the equilibrium of the

@@ -53,7 +53,7 @@ inline constexpr SpindleFactorCard<4> seat_conductance{
         "A gap, a cover or a wrong fit keeps the heat in the outer rings: the rings become hot and "
         "the preload falls, while the housing hardly changes. Without a sensor on a ring, only the "
         "displacement shows this effect.",
-    .formula = "G_seat -> k G_seat, of all outer seats",
+    .formula = "G_seat -> k G_seat, for all outer seats",
     .confused_with = {"outer_conductance_W_m2K", "bearing-conductance", "preload-growth",
                       "preload_N"},
     .size = {.name = "factor",
@@ -74,7 +74,7 @@ inline constexpr SpindleFactorCard<4> convection_factor{
         "Draught, a cover or a box around the spindle changes the heat flow to the room, and with "
         "it the long time constant and the steady temperature. The change is clearest while the "
         "spindle cools at standstill.",
-    .formula = "h -> k h, of housing and end faces",
+    .formula = "h -> k h, for housing and end faces",
     .confused_with = {"convection_factor", "flange-conductance", "coolant",
                       "structure-temperature"},
     .size = {.name = "factor",

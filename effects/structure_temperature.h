@@ -21,7 +21,7 @@ struct StructureTemperature {
   static constexpr std::string_view title = "the machine at the flange becomes warmer or colder";
   static constexpr std::string_view mechanism =
       "Drives, coolant or the sun change the temperature of the machine over hours. In the "
-      "spindle, the flange follows first, even at standstill.";
+      "spindle, the temperature of the flange changes first, even at standstill.";
   static constexpr std::string_view formula =
       "T_machine + R (1 - exp(-t/tau)) in place of T_machine";
   static constexpr std::string_view source = "body with one time constant, definition";

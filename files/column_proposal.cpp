@@ -63,20 +63,21 @@ bool has_its_letter(std::string_view name, const record::Channel& channel) {
 
 std::string line_of(const text::CsvTable& table, const ColumnProposal& p) {
   const std::string header = text::in_quotes(table.header[p.column]);
-  if (p.has_our_name) return fmt::format("# {} has our name already", header);
+  if (p.has_our_name)
+    return fmt::format("# {} needs no line, because raceway knows this name", header);
   const text::Unit* const own = unit_of(*p.channel);
   if (p.excel_date)
     return fmt::format("{} = {{ column = {}, unit = \"excel\" }}", p.channel->name, header);
   if (p.stamped || !own) return fmt::format("{} = {}", p.channel->name, header);
   if (!p.unknown_unit.empty())
     return fmt::format(
-        "# {} = {{ column = {}, unit = \"...\" }}  # the file has {}, which is not known: {}?",
+        "# {} = {{ column = {}, unit = \"...\" }}  # the file has the unknown unit {}: is it {}?",
         p.channel->name, header, text::in_quotes(p.unknown_unit),
         text::listed_units(own->dimension));
   // A unit that stands here counts as said by the user, and is not asked about again.
   if (!p.unit)
-    return fmt::format("{} = {}  # no unit in the file: read in {}", p.channel->name, header,
-                       own->suffix);
+    return fmt::format("{} = {}  # no unit in the file; raceway reads it in {}", p.channel->name,
+                       header, own->suffix);
   return fmt::format("{} = {{ column = {}, unit = \"{}\" }}", p.channel->name, header,
                      p.unit->suffix);
 }
@@ -174,8 +175,8 @@ std::string proposed_columns(const text::CsvTable& table,
                              const std::vector<ColumnProposal>& proposals,
                              const std::vector<std::string>& missing, const ColumnMap& given) {
   std::string text = fmt::format(
-      "# Columns of {}, proposed by their words and units: look through it.\n"
-      "# For --columns FILE, or to be put into the model.\n[columns]\n",
+      "# Columns of {}, proposed by their words and units: check each line.\n"
+      "# For --columns FILE, or for the model file.\n[columns]\n",
       std::filesystem::path(table.source).filename().string());
   text += rules_text(given);
   for (const ColumnProposal& p : proposals)

@@ -59,8 +59,10 @@ const Key contact_friction_keys[]{
 
 constexpr model::LifeData usual_life;
 constexpr Key life_keys[]{
-    {"dynamic_load_rating_N", between(1, 1e9, "N"), "calculated by ISO 281 from the geometry", "C"},
-    {"fatigue_load_N", between(0.01, 1e8, "N"), "calculated by ISO 281 from the geometry", "C_u"},
+    {"dynamic_load_rating_N", between(1, 1e9, "N"), "calculated by ISO 281 from the geometry",
+     "dynamic load rating C"},
+    {"fatigue_load_N", between(0.01, 1e8, "N"), "calculated by ISO 281 from the geometry",
+     "fatigue load limit C_u"},
     {"contamination", between(0, 1), usual_life.contamination, "e_C of ISO 281"},
     {"reliability", between(90, 99.95, "%"), usual_life.reliability,
      "reliability for which the life is calculated"},

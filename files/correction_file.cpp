@@ -36,7 +36,7 @@ constexpr Key correction_keys[]{
      "column that the correction predicts: displacement_NAME_um, or displacement_NAME_urad for an "
      "angle. The keys of an angle end in urad instead of um: gain_urad_K, offset_urad, "
      "tolerance_urad ..."},
-    {"name", a_text, "name of the column", "for results"},
+    {"name", a_text, "name of the column", "name in the results"},
     {"tolerance_um", between(0, 1e6, "um"), unset,
      "acceptable RMS error on held-out parts, above 0; required by diagnose, here, under [loop] or "
      "as --tolerance"},
@@ -67,7 +67,7 @@ constexpr Key correction_keys[]{
 };
 
 constexpr Key correction_channel_keys[]{
-    {"name", a_text, "name of the input", "for results"},
+    {"name", a_text, "name of the input", "name in the results"},
     {"input", a_text, is_required,
      "input of the channel: a column, a list of columns (their mean is used), or \"power_W\" "
      "(torque of a friction table times speed)"},
@@ -167,7 +167,7 @@ constexpr Key correction_effect_keys[]{
 };
 constexpr Key correction_own_effect_keys[]{
     {"formula", a_text, unset, "formula of your own effect, from columns and its parameters"},
-    {"title", a_text, unset, "title of your own effect, for messages"},
+    {"title", a_text, unset, "title of your own effect in messages"},
     {"gain_um", between(-most, most, "um"), unset,
      "gain of your own effect in um per unit of its formula, required; 0: the effect is off, and "
      "diagnose tests it"},

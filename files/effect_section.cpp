@@ -17,7 +17,7 @@ constexpr Key effect_id_keys[]{{"id", a_text, is_required,
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,
      "formula of your own effect: torque from columns and its parameters"},
-    {"title", a_text, unset, "title of your own effect, for messages"},
+    {"title", a_text, unset, "title of your own effect in messages"},
 };
 
 using effects::Description;

@@ -340,11 +340,12 @@ double spread_of(const SpreadText& spread, double value) {
   double number = unset;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(number))
-    refuse("must be a number in the unit of the name, or a percentage such as 10%");
+    refuse("must be a number in the unit of the value, or a percentage such as 10%");
   if (number < 0.0)
     refuse("must be 0 or more, because it is the possible error in both directions");
   if (share && value == 0.0)
-    refuse("a percentage of 0 is 0; give the error in the unit of the name");
+    refuse(
+        "the value is 0, so a percentage has no effect; give the error in the unit of the value");
   return share ? 0.01 * number * std::fabs(value) : number;
 }
 

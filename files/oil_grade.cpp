@@ -54,12 +54,12 @@ std::string lubricant_lines(std::string_view oil) {
   if (oil.empty())
     return "\n[lubricant]                        # assumed: a thin spindle oil; enter the values "
            "of your oil\n"
-           "viscosity_40C_mm2_s = 22.0         # for a grease: of its base oil\n"
+           "viscosity_40C_mm2_s = 22.0         # for a grease: viscosity of its base oil\n"
            "viscosity_100C_mm2_s = 4.8\n";
   const OilGrade found = oil_grade(oil);
   return fmt::format(
       "\n[lubricant]\n"
-      "viscosity_40C_mm2_s = {:<13}# ISO VG {}; for a grease: of its base oil\n"
+      "viscosity_40C_mm2_s = {:<13}# ISO VG {}; for a grease: viscosity of its base oil\n"
       "viscosity_100C_mm2_s = {:<12}# assumed: a mineral oil of viscosity index 100\n",
       fmt::format("{:.1f}", 1.0 * found.grade), found.grade, fmt::format("{:.1f}", found.at_100_C));
 }

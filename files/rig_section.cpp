@@ -33,7 +33,7 @@ constexpr Key race_control_keys[]{
 };
 constexpr Key tilt_keys[]{
     {"tilt", one_of("locked|free"), "locked",
-     "tilt of the inner ring: locked, or free so that the balls carry the moment (default 0)"},
+     "tilt of the inner ring: locked, or free: the balls then carry the given moments (default 0)"},
 };
 
 /// The number, or the word for one that nobody knows.

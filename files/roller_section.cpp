@@ -30,7 +30,7 @@ constexpr Key type_keys[]{
 
 // Wherever the libraries check as well, these are their ranges.
 constexpr Key keys_of_rollers[]{
-    {"name", a_text, "name of the file", "for results"},
+    {"name", a_text, "name of the file", "name in the results"},
     {"roller_count", whole(4, 200), is_required,
      "number of rollers; they must fit on 98 % of the pitch circle"},
     {"roller_diameter_mm", between(0.5, 300, "mm"), is_required, "diameter of a roller"},

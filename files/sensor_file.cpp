@@ -102,8 +102,8 @@ std::string torque_sensor_text(const rig::SensorCalibration& c, std::string_view
   const Lists lists = lists_of(c);
   const auto digits = [](double value) { return fmt::format("{}", text::with_15_digits(value)); };
   return fmt::format(
-      "[torque_sensor]  # signal in V = sum of c_k M^k, c_k the coefficients from k = 0, M the "
-      "torque in N m\n"
+      "[torque_sensor]  # signal in V = sum of c_k M^k (c_k: coefficients from k = 0, M: "
+      "torque in N m)\n"
       "coefficients = [{}]\n"
       "units = [{}]\n"
       "std = [{}]\n"
@@ -116,7 +116,7 @@ std::string torque_sensor_text(const rig::SensorCalibration& c, std::string_view
       "signal_to_V = {}\n"
       "readings = {}\n"
       "source = {}\n"
-      "# zero_V = 0.0  # signal without torque on the day of the test, in place of the first "
+      "# zero_V = 0.0  # signal at zero torque on the day of the test, replaces the first "
       "coefficient\n",
       fmt::join(lists.coefficients, ", "), fmt::join(lists.units, ", "), fmt::join(lists.std, ", "),
       fmt::join(lists.correlation, "\n"), digits(record::with_digits(s.scatter, 6)),

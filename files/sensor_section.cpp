@@ -28,8 +28,8 @@ constexpr Key torque_sensor_keys[]{
      "lowest signal of the calibration; a note gives the number of signals outside the "
      "calibration"},
     {"signal_to_V", between(-1e6, 1e6, "V"), is_required, "highest signal of the calibration"},
-    {"readings", whole(1, 1e9), unset, "number of readings in the calibration, for messages"},
-    {"source", a_text, unset, "source of the calibration, for messages"},
+    {"readings", whole(1, 1e9), unset, "number of readings in the calibration, shown in messages"},
+    {"source", a_text, unset, "source of the calibration, shown in messages"},
 };
 constexpr Key sensor_zero_keys[]{
     {"zero_V", between(-1e6, 1e6, "V"), "the first coefficient",

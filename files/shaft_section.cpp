@@ -100,7 +100,7 @@ constexpr Key positions_keys[]{
 };
 constexpr Key mounted_bearing_keys[]{
     {"offset_um", between(-1000, 1000, "um"), 0.0,
-     "additional axial displacement of one bearing against its set; also a key of "
+     "additional axial displacement of one bearing relative to its set; also a key of "
      "[arrangement.rear_bearing]. Both tables also have all keys of [bearing]"}};
 
 constexpr std::string_view front_position = positions_keys[0].name;

@@ -63,8 +63,8 @@ constexpr Key shaft_keys[]{
 constexpr Key shaft_segment_keys[]{
     {"length_mm", a_length, is_required, "length of the segment along the shaft"},
     {"diameter_mm", between(0.1, 5000, "mm"), is_required, "outer diameter"},
-    {"bore_mm", between(0, 5000, "mm"), "as the shaft", "bore of this segment"},
-    {"material", a_text, "as the shaft",
+    {"bore_mm", between(0, 5000, "mm"), "bore_mm of [shaft]", "bore of this segment"},
+    {"material", a_text, "material data of [shaft]",
      "material: \"steel\", \"cast-iron\" or a table [material.NAME] with conductivity and heat "
      "capacity"},
 };
@@ -109,7 +109,7 @@ constexpr Key housing_segment_keys[]{
     {"diameter_mm", between(1, 10000, "mm"), unset, "another name of outer_diameter_mm"},
     {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings",
      "bore of this segment"},
-    {"material", a_text, "as the housing",
+    {"material", a_text, "material data of [housing]",
      "material: \"steel\", \"cast-iron\" or a table [material.NAME] with conductivity and heat "
      "capacity"},
 };

@@ -16,7 +16,7 @@ namespace {
 
 const model::Spindle usual_spindle;
 constexpr Key own_spindle_keys[]{
-    {"name", a_text, "as the bearing", "for results"},
+    {"name", a_text, "name of the bearing", "name in the results"},
     {"preload_feedback", a_flag, "true",
      "preload used for the friction; true: forces of the bearing sets in the warm spindle, false: "
      "in the cold spindle at the same speed"},
@@ -86,7 +86,7 @@ void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spind
                 : tables.note_default(s.name(), key, text, why, origin...);
   };
   if (bearing.row && !std::isnan(bearing.row->width))
-    take(spindle.bearing_width, "width_mm", bearing.row->width, "of the catalogue",
+    take(spindle.bearing_width, "width_mm", bearing.row->width, "from the catalogue",
          UsedDefault::Origin::catalogue);
   else
     take(spindle.bearing_width, "width_mm", 0.5 * (g.outer_diameter - g.bore),

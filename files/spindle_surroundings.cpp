@@ -46,7 +46,8 @@ constexpr Key circuit_keys[]{
 constexpr Key channel_keys[]{
     {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume flow"},
     {"diameter_mm", between(1, 10000, "mm"), is_required, "diameter of the helix of the channel"},
-    {"channel_width_mm", between(0.1, 1000, "mm"), is_required, "along the spindle"},
+    {"channel_width_mm", between(0.1, 1000, "mm"), is_required,
+     "width of the channel along the spindle"},
     {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
     {"pitch_mm", between(0.1, 10000, "mm"), is_required,
      "axial distance from turn to turn, at least channel_width_mm"},

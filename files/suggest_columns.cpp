@@ -70,7 +70,7 @@ void take_lone_temperature(std::vector<ColumnProposal>& chosen) {
     if (record::is_temperature(*p.channel)) temperatures.push_back(&p);
   if (temperatures.size() != 1 || *temperatures.front()->channel == record::temperature) return;
   ColumnProposal& lone = *temperatures.front();
-  lone.remark = fmt::format("the only temperature of the file ({}): the viscosity follows it",
+  lone.remark = fmt::format("the only temperature of the file ({}), used for the viscosity",
                             lone.channel->words);
   lone.channel = &record::temperature;
 }
@@ -114,16 +114,16 @@ std::vector<std::string> missing_lines(const model::ModelSubject& subject,
   for (const fit::Measured& m : subject.measured())
     if (!found(*m.channel) && !coast_down &&
         !(*m.channel == record::friction_torque && found(torque_signal)))
-      lines.push_back(fmt::format("# {} = \"...\"  # not found, and needed", m.channel->name));
+      lines.push_back(fmt::format("# {} = \"...\"  # not found, but needed", m.channel->name));
   for (const model::Expected::Default& d : subject.expected().defaults) {
     if (found(*d.channel)) continue;
     lines.push_back(
         std::isnan(d.value)
-            ? fmt::format("# {} = \"...\"  # not found, and needed: a column{}", d.channel->name,
+            ? fmt::format("# {} = \"...\"  # not found, but needed: give a column{}",
+                          d.channel->name,
                           *d.channel == record::speed ? "" : ", or a number for all rows")
-            : fmt::format("# {} = {:.6g}  # not found: a column or a number; {} says {:.6g}",
-                          d.channel->name, d.channel->in_unit(d.value), d.from,
-                          d.channel->in_unit(d.value)));
+            : fmt::format("# {} = {:.6g}  # not found; {} gives {:.6g}", d.channel->name,
+                          d.channel->in_unit(d.value), d.from, d.channel->in_unit(d.value)));
   }
   return lines;
 }

@@ -211,7 +211,7 @@ class SeriesProposals {
     in_order.insert(in_order.end(), recorded_.begin(), recorded_.end());
     std::vector<std::string> missing;
     for (const Channel* c : wanted_)
-      missing.push_back(fmt::format("# {} = \"...\"  # not found, and needed", c->name));
+      missing.push_back(fmt::format("# {} = \"...\"  # not found, but needed", c->name));
     const bool ours = std::all_of(in_order.begin(), in_order.end(),
                                   [](const ColumnProposal& p) { return p.has_our_name; });
     const bool says_more =
@@ -279,7 +279,7 @@ class SeriesProposals {
       if (columns.size() != 1 || std::count_if(wanted_.begin(), wanted_.end(), is_of) != 1)
         continue;
       const Channel& channel = **std::find_if(wanted_.begin(), wanted_.end(), is_of);
-      choose(columns.front(), channel, "the only one of its kind that is left");
+      choose(columns.front(), channel, "the last column of this kind");
     }
   }
 
@@ -303,7 +303,7 @@ class SeriesProposals {
         columns_.erase(columns_.begin());
         continue;
       }
-      choose(0, *channel, has_inputs_ ? "not asked for by the model" : "");
+      choose(0, *channel, has_inputs_ ? "the model does not use this column" : "");
     }
   }
 

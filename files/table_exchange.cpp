@@ -63,7 +63,7 @@ std::string modelica_table_text(const friction::StribeckTable& table, std::strin
   fmt::format_to(put, "#1\n# Friction torque [N m] of {}, by raceway {}\n# {}\n", title,
                  RACEWAY_VERSION,
                  curve ? "CombiTable1Ds: speed [rad/s], friction torque [N m]"
-                       : "CombiTable2Ds: u1 speed [rad/s] down, u2 axial load [N] across");
+                       : "CombiTable2Ds: u1 (rows): speed [rad/s], u2 (columns): axial load [N]");
   for (std::size_t t = 0; t < axes.temperature.size(); ++t)
     for (std::size_t r = 0; r < axes.radial_load.size(); ++r) {
       std::string name = "friction_torque";

@@ -344,15 +344,16 @@ Possible possible_speeds(const Model& model) {
   const double most = std::sqrt(strength_of_rings / density) / (0.5 * diameter);
   return {.lower = 0.0,
           .upper = most,
-          .why = fmt::format("above it the inner ring bursts (2 GPa of hoop stress on {:.4g} mm)",
-                             diameter / mm)};
+          .why = fmt::format(
+              "above the upper limit, the inner ring bursts (2 GPa of hoop stress on {:.4g} mm)",
+              diameter / mm)};
 }
 
 Possible possible_temperatures(const friction::Lubricant& lubricant) {
   const double lowest = temperature_of(lubricant, solid_oil);
   return {.lower = lowest,
           .upper = hottest,
-          .why = lowest > coldest ? "below it this oil is solid (1e7 mm2/s)" : ""};
+          .why = lowest > coldest ? "below the lower limit, this oil is solid (1e7 mm2/s)" : ""};
 }
 
 }  // namespace raceway::model

@@ -37,9 +37,9 @@ constexpr std::string_view where_inlets_stand =
 // of one bearing differ by some 2 deg. Groove radii are 0.51 to 0.54 of the ball diameter and are
 // on few data sheets. A thermometer is screwed into the next free bore; a chiller is set anew.
 constexpr std::array all{
-    OwnDatum{"contact-angle", "contact_angle_deg", "contact angle", "the bearing card", 4.0, false,
+    OwnDatum{"contact-angle", "contact_angle_deg", "contact angle", "the bearing data", 4.0, false,
              "the contact angle of the bearings on a shaft, under [bearing]"},
-    OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing card", 0.02,
+    OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing data", 0.02,
              false, "the conformity of the grooves of the bearings on a shaft, under [bearing]"},
     OwnDatum{"coolant-inlet", "inlet_temperature_C", "inlet",
              "the inlet temperature of the coolant", usual_inlet_error_K, true, where_inlets_stand},

@@ -334,7 +334,7 @@ std::string record_diagnosis_report(const std::string& model_file, const record:
                                     const std::vector<files::UsedDefault>& defaults,
                                     const std::vector<ModelOfPage>& facts) {
   return record_report("diagnose", results::diagnosis_json(model_file, record, d), record,
-                       refitted(d.refits, d.channels, defaults, "refitted, nothing added",
+                       refitted(d.refits, d.channels, defaults, "refitted, no effect added",
                                 d.sets.empty() ? "" : "with " + joined_ids(d.sets.front())),
                        facts);
 }

@@ -157,7 +157,7 @@ std::string diagnosis_report(const std::string& model_file, const fit::Subject& 
   // A diagnosis thins large records and leaves out what has no balance.
   ReportRows rows(record, first.channel(), rows_compared(first.baseline));
   rows.add_std(std_of_rows(first.noise, first.baseline, rows));
-  rows.add_model("refitted, nothing added", first.baseline);
+  rows.add_model("refitted, no effect added", first.baseline);
   if (d.verdict_is_explained) {
     const verdict::ExplainedReadings& verdict = d.explained.front();
     rows.add_model("with " + ids_of(verdict), with_readings(first.baseline, verdict.total));

@@ -127,11 +127,11 @@ record::Record fall_torque(const record::Record& record, std::span<const Fall> f
   result.set(record::friction_torque, std::move(torque));
   if (std::all_of(deviation.begin(), deviation.end(), [](double d) { return d > 0.0; }))
     result.set(record::torque_deviation, std::move(deviation));
-  result.notes.push_back(record::note::read_as(
-      fmt::format("{} torques from the times between two speeds, M = J (w1 - w2)/t with J = {:.6g} "
-                  "kg m2; each torque belongs to the speed at which the shaft had it, calculated "
-                  "with M ~ n^p, p = {:.2f} to {:.2f}",
-                  falls.size(), rig.inertia, lowest, highest)));
+  result.notes.push_back(record::note::read_as(fmt::format(
+      "{} torques from the times between two speeds, M = J (w1 - w2)/t with J = {:.6g} "
+      "kg m2; the speed of each torque is the speed at which the shaft had this torque, "
+      "calculated with M ~ n^p, p = {:.2f} to {:.2f}",
+      falls.size(), rig.inertia, lowest, highest)));
   return result;
 }
 

@@ -373,9 +373,9 @@ class Calibrator {
     lines.resize(std::min(twins, shown));
     result_.notes.push_back(record::note::assumed(fmt::format(
         "{} reading{} the same torque and signal as another one, to the last digit (line{} {}{}): "
-        "taken as {}",
+        "they are treated as {}",
         twins, twins == 1 ? " has" : "s have", twins == 1 ? "" : "s", fmt::join(lines, ", "),
-        twins > shown ? ", ..." : "", twins == 1 ? "a repeat" : "repeats")));
+        twins > shown ? ", ..." : "", twins == 1 ? "a repeated reading" : "repeated readings")));
   }
 
   Readings readings_;

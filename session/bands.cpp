@@ -34,8 +34,8 @@ model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                     std::string_view remedy) {
   if (!file.model.covariance)
     throw text::InputError(
-        fmt::format("{}: {} has no [calibration.covariance] that was calculated for its values; {}",
-                    asked_by, file.source, remedy),
+        fmt::format("{}: {} has no [calibration.covariance] for its present values; {}", asked_by,
+                    file.source, remedy),
         {.file = file.source, .key = "calibration.covariance"});
   return model::Band(file.model);
 }

@@ -103,7 +103,7 @@ TableFailures failures(const model::Model& model, const friction::StribeckTable&
         fmt::format("{} of {} points have no {}: {}; the first is at {:.6g} rpm, {:.6g} N axial, "
                     "{:.6g} N radial",
                     failure.points, table.points(),
-                    torque ? "equilibrium (their torque does not need it)" : "value",
+                    torque ? "equilibrium (the friction torque does not depend on it)" : "value",
                     why(model, p, status), p.speed / rpm, p.axial_load, p.radial_load));
     if (!torque) result.without_torque = true;
   }

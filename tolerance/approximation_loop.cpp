@@ -224,7 +224,7 @@ class Inquiry {
       if (!b.untold.empty())
         result_.messages.push_back(record::note::plan(fmt::format(
             "{} {} only in one part of the record. The program cannot hold out this part, so the "
-            "reaction of the model to {} is not tested: record such a phase twice",
+            "reaction of the model to {} is not tested: record such changes at least twice",
             fmt::join(b.untold, ", "), b.untold.size() == 1 ? "changes" : "change",
             b.untold.size() == 1 ? "it" : "them")));
     for (const std::string& id : subject_->catalogue())

@@ -396,7 +396,7 @@ Comparison compare(std::span<const double> predicted, const record::Record& reco
                    const fit::Measured& measured, int fitted_parameters) {
   if (predicted.size() != record.rows())
     throw std::invalid_argument("compare: give one prediction for each row");
-  if (record.rows() == 0) throw std::invalid_argument(record.source + ": no rows to compare with");
+  if (record.rows() == 0) throw std::invalid_argument(record.source + ": the record has no rows");
   Comparison result{.channel = measured.channel};
   result.tolerance = fit::tolerance_of(measured, record);
   result.begins = measured.begins;

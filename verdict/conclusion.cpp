@@ -217,8 +217,8 @@ std::string Investigation::base_laws_text() const {
   const Explanation& both = *finding_.set.front();
   return fmt::format(
       "Something is missing ({}). {} together explain the misfit ({}; {}). But the weaker effect "
-      "adds a gain of only {:.0f}, which is too little for a pair: the base law has another shape, "
-      "or another effect has a similar shape.",
+      "adds a gain of only {:.0f}, which is too little for a pair. The model needs another base "
+      "law, or another effect with a similar shape.",
       p_text(result_.p_value), id_of(both), size_text(problem_, both), remains_text(),
       both.least_loss);
 }

@@ -232,7 +232,7 @@ void Investigation::describe_base() {
     if (evidence_.base.at_bound[k])
       tell(record::note::at_bound(
           evidence_.response.parameters[k].name +
-              " is at a bound: an effect is missing, or the model is far off",
+              " is at a bound: an effect is missing, or the model does not describe these data",
           {.key = evidence_.response.parameters[k].name}));
   if (!evidence_.hint.empty()) tell(record::note::unit(evidence_.hint));
   for (const record::Note& one : evidence_.notes) tell(one);
@@ -363,8 +363,8 @@ bool Investigation::may_be_block_offsets(const Explanation& e) const {
 std::string Investigation::doubt_about_time(const Set& set) const {
   const bool doubtful = std::all_of(
       set.begin(), set.end(), [this](const Explanation* e) { return may_be_block_offsets(*e); });
-  return doubtful ? "but a zero that was set before each block of rows may look the same (run_id "
-                    "tells which rows are a run)"
+  return doubtful ? "but a zero that was set before each block of rows may look the same (mark the "
+                    "rows of each run with run_id)"
                   : "";
 }
 

@@ -31,8 +31,8 @@ Eigen::Index clearest_score(const Attribution& attribution, std::size_t candidat
 std::string same_as_base(const fit::Problem& problem, const std::string& id) {
   const std::string levels = problem.subject->lacks_levels(id, *problem.record);
   if (!levels.empty()) return "needs " + levels;
-  return "on these data " + joined(problem.base, "and") +
-         (problem.base.size() == 1 ? " does" : " together do") + " the same";
+  return "on these data, " + joined(problem.base, "and") +
+         (problem.base.size() == 1 ? " has" : " together have") + " the same influence";
 }
 
 /// Largest share of the readings of a channel that an effect has.

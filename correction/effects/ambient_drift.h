@@ -11,9 +11,9 @@ namespace raceway::correction {
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",
-      .title = "the room moves the machine",
+      .title = "the room temperature moves the machine",
       .form = "+ K/(1 + tau s) (mean of the room's temperatures)",
-      .needs = "a temperature of the room or of the base that the model does not use",
+      .needs = "a temperature of the room or of the machine base that the model does not use",
       .confused = "slow-drift, a slow section, the motor's temperature",
       .numbers = gain_and_time_constant,
       .needs_input = true};

@@ -48,7 +48,7 @@ class Correction(LoopModel):
     def __init__(self, source: str, text: str, files: Sequence[tuple[str, str, str]] = ()) -> None:
         tables = _tables(text_of("text", text))
         if tables and "correction" not in tables:
-            raise InputError(f"{source}: has no [correction]: raceway.Model.read takes models of bearings")
+            raise InputError(f"{source}: has no [correction]; use raceway.Model.read to read the model of a bearing")
         self._engine = _engine.Correction(source, text, files)
         warn(self._engine.warnings)
 
@@ -153,7 +153,7 @@ class Correction(LoopModel):
         if baseline not in (None, "regression", "arx"):
             raise ValueError(f"baseline = {baseline!r}: must be regression or arx")
         if lags_s is not None and (baseline is not None or order != (1, 3)):
-            raise ValueError("lags_s: a bank has neither baseline nor order; take one of them")
+            raise ValueError("lags_s: not possible together with baseline or order; give only one of the three")
         data, options = asked(one_record(record), from_s=from_s, until_s=until_s)
         answer = _engine.identify(
             self._engine,
@@ -200,7 +200,7 @@ class Correction(LoopModel):
         if not learn:
             for argument, value in (("every_s", every_s), ("forget_s", forget_s)):
                 if value is not None:
-                    raise ValueError(f"{argument}: belongs to learn=True")
+                    raise ValueError(f"{argument}: only possible with learn=True")
             answer = _engine.correct(self._engine, data[0], **options)
         else:
             durations = (seconds("every_s", every_s), seconds("forget_s", forget_s))

@@ -33,7 +33,10 @@ class Identification(_Answer):
             No order of the ARX model is stable.
         """
         if self._found is None:
-            raise ValueError("no order of the ARX model is stable: its simulation grows without end; sections, without baseline, are")
+            raise ValueError(
+                "no order of the ARX model is stable, so its simulation grows without limit; "
+                "sections (identify without baseline) are always stable"
+            )
         return self._found
 
     @property
@@ -80,7 +83,7 @@ class CorrectionRun(_Answer):
             The run did not learn, because `learn` was False.
         """
         if self._learnt is None:
-            raise ValueError("nothing was learnt: correct(record, learn=True) does")
+            raise ValueError("nothing was learnt, because learn is False; call correct(record, learn=True)")
         return self._learnt
 
     def to_frame(self) -> pandas.DataFrame:

@@ -77,8 +77,8 @@ def document_of(result: object, kinds: tuple[str, ...], caller: str) -> dict[str
         return result.data  # type: ignore[attr-defined]
     wanted = " or ".join(kinds)
     if isinstance(result, (list, tuple)):
-        raise TypeError(f"{caller} takes a {wanted}, not a {type(result).__name__}: give its " "elements one by one")
-    raise TypeError(f"{caller} takes a {wanted}, not {kind or type(result).__name__!r}")
+        raise TypeError(f"{caller} accepts a {wanted}, not a {type(result).__name__}; give its elements one by one")
+    raise TypeError(f"{caller} accepts a {wanted}, not {kind or type(result).__name__!r}")
 
 
 def split_column(column: str) -> tuple[str, str]:
@@ -241,7 +241,7 @@ def ladders_of(result: object, caller: str = "ladder()") -> list[Ladder]:
     data = document_of(result, ("Comparison", "Calibration", "Diagnosis", "Addition"), caller)
     kind = kind_of(result)
     if kind == "Calibration" and "rmse" not in data:
-        raise ValueError(f"{caller}: this Calibration is of no readings and has no RMS error")
+        raise ValueError(f"{caller}: this Calibration was not fitted to readings, so it has no RMS error")
     if kind == "Comparison":
         ladders = []
         for model in data.get("models", [data]):

@@ -44,7 +44,7 @@ def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
     if ax is None:
         return new_figure().add_subplot(), True
     if not isinstance(ax, Axes):
-        hint = ": give one of them" if isinstance(ax, (Iterable, np.ndarray)) else ""
+        hint = "; give one element of it" if isinstance(ax, (Iterable, np.ndarray)) else ""
         raise TypeError(f"{caller}: ax is a {type(ax).__name__}, not a matplotlib Axes{hint}")
     return ax, False
 
@@ -93,13 +93,13 @@ def frame_of(source: object, caller: str, wanted: str) -> pd.DataFrame:
     if isinstance(source, pd.DataFrame):
         frame = source
     elif isinstance(source, (list, tuple, dict)):
-        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a " f"{type(source).__name__}: call it for each, with the same ax")
+        raise TypeError(f"{caller} accepts a {wanted} or its DataFrame, not a {type(source).__name__}; call it for each element, with the same ax")
     elif callable(getattr(source, "to_frame", None)):
         frame = source.to_frame()  # type: ignore[attr-defined]
     else:
-        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a " f"{type(source).__name__!r}")
+        raise TypeError(f"{caller} accepts a {wanted} or its DataFrame, not a {type(source).__name__!r}")
     if len(frame) == 0:
-        raise ValueError(f"{caller}: no rows: give a {wanted} with at least one")
+        raise ValueError(f"{caller}: no rows; give a {wanted} with at least one row")
     return frame
 
 
@@ -108,7 +108,7 @@ def require_columns(frame: pd.DataFrame, columns: Iterable[str], caller: str) ->
     for column in columns:
         if column not in frame.columns:
             have = ", ".join(str(c) for c in frame.columns)
-            raise ValueError(f"{caller}: no column {column!r}: there are {have}")
+            raise ValueError(f"{caller}: no column {column!r}; the columns are {have}")
 
 
 def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
@@ -122,7 +122,7 @@ def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
     try:
         return pd.to_numeric(frame[column]).to_numpy(dtype=float)
     except (ValueError, TypeError) as error:
-        raise ValueError(f"{caller}: column {column!r} holds text, not numbers") from error
+        raise ValueError(f"{caller}: column {column!r} contains text, not numbers") from error
 
 
 def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
@@ -136,8 +136,8 @@ def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
             some = ", ".join(f"{v:g}" for v in values[:4]) + (", ..." if len(values) > 4 else "")
             more = "".join(f"{one!r}, " for one in [*by, column])[:-2]
             raise ValueError(
-                f"{caller}: {column} varies too ({some}), and a curve needs one value: give "
-                f"by=[{more}], or the rows of one value, "
+                f"{caller}: {column} also varies ({some}), but it must be constant along a curve; give "
+                f"by=[{more}], or only the rows with one value, "
                 f'table.to_frame().query("{column} == {values[0]:g}")'
             )
 

@@ -47,7 +47,7 @@ class State:
         columns = self.__dict__.get("_columns", {})
         if name in columns:
             return columns[name]
-        raise AttributeError(f"{name}: no such column in the record; there are {', '.join(columns)}")
+        raise AttributeError(f"{name}: no such column in the record; the columns are {', '.join(columns)}")
 
     def __dir__(self) -> list[str]:
         return list(self._columns)
@@ -84,11 +84,13 @@ class Effect:
         self, id: str, torque: Callable[..., ArrayLike], numbers: Mapping[str, Number | Mapping[str, Any] | float], *, title: str = ""
     ) -> None:
         if not id or any(c in " .\t\n,;\"'" for c in id) or id[0] in "=+-@":
-            raise InputError(f"id = {id!r}: must be a name without blanks, dots, commas, semicolons and quotes, " "and not begin with =, +, - or @")
+            raise InputError(
+                f"id = {id!r}: must be a name without blanks, dots, commas, semicolons and quotes, and must not begin with =, +, - or @"
+            )
         if not callable(torque):
-            raise TypeError(f"torque: a function of state and numbers is wanted, not {type(torque).__name__}")
+            raise TypeError(f"torque: must be a function of state and numbers, not {type(torque).__name__}")
         if not numbers:
-            raise ValueError("numbers: an effect has one at least, its size")
+            raise ValueError("numbers: an effect needs at least one number, its size")
         self.id = id
         self.torque = torque
         self.numbers = {str(name): _number(name, number) for name, number in numbers.items()}
@@ -123,4 +125,4 @@ def _number(name: str, given: Number | Mapping[str, Any] | float) -> Number:
         return Number(**given)
     if isinstance(given, (int, float)):
         return Number(float(given))
-    raise TypeError(f"numbers[{name!r}]: a Number, a dict or a float is wanted, not {type(given).__name__}")
+    raise TypeError(f"numbers[{name!r}]: must be a Number, a dict or a float, not {type(given).__name__}")

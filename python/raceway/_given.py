@@ -27,13 +27,13 @@ def arrays(**given: ArrayLike | None) -> dict[str, numpy.ndarray]:
         if value is None:
             continue
         if numpy.ma.is_masked(value):
-            raise ValueError(f"{name}: has masked values, which are no numbers; take them out, or fill them by hand")
+            raise ValueError(f"{name}: has masked values, which are not numbers; remove them or replace them by numbers")
         try:
             array = numpy.asarray(value)
         except ValueError:
-            raise ValueError(f"{name}: lists of different lengths make no array") from None
+            raise ValueError(f"{name}: the lists must have equal lengths") from None
         if array.dtype.kind not in "fiu":
-            raise TypeError(f"{name}: numbers are wanted, not {_kind(array)}")
+            raise TypeError(f"{name}: must contain numbers, not {_kind(array)}")
         if array.dtype.byteorder == ">" or array.dtype != numpy.float64:
             array = array.astype(numpy.float64)
         found[name] = array
@@ -42,20 +42,20 @@ def arrays(**given: ArrayLike | None) -> dict[str, numpy.ndarray]:
 
 def text_of(argument: str, value: str) -> str:
     if not isinstance(value, str):
-        raise TypeError(f"{argument}: text is wanted, not {type(value).__name__}")
+        raise TypeError(f"{argument}: must be text, not {type(value).__name__}")
     return value
 
 
 def tolerance_text(value: str) -> str:
     if not isinstance(value, str):
-        words = 'an error with its unit, such as "2Nmm" or "2um", is wanted'
+        words = 'must be an error with its unit, such as "2Nmm" or "2um"'
         raise TypeError(f"tolerance: {words}, not {value!r}")
     return value
 
 
 def number_text(argument: str, value: Any) -> str:
     if isinstance(value, bool) or not hasattr(value, "__float__"):
-        raise TypeError(f"{argument}: a number is wanted, not {type(value).__name__}")
+        raise TypeError(f"{argument}: must be a number, not {type(value).__name__}")
     return repr(float(value)).removesuffix(".0")
 
 
@@ -70,13 +70,13 @@ def name_list(argument: str, given: str | Iterable[str]) -> list[str]:
     listed = list(given)
     for name in listed:
         if not isinstance(name, str):
-            raise TypeError(f"{argument}: names are wanted, not {type(name).__name__}")
+            raise TypeError(f"{argument}: must contain names, not {type(name).__name__}")
     return listed
 
 
 def value_of(name: str, value: float) -> float:
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise TypeError(f"{name}: a number is wanted, not {type(value).__name__}")
+        raise TypeError(f"{name}: must be a number, not {type(value).__name__}")
     return float(value)
 
 
@@ -99,12 +99,12 @@ def whole_number(name: str, value: int) -> int:
             return operator.index(value)
     except TypeError:
         pass
-    raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}")
+    raise TypeError(f"{name}: must be a whole number, not {type(value).__name__}")
 
 
 def yes_or_no(name: str, value: bool) -> bool:
     if not isinstance(value, bool):
-        raise TypeError(f"{name}: True or False is wanted, not {value!r}")
+        raise TypeError(f"{name}: must be True or False, not {value!r}")
     return value
 
 
@@ -117,5 +117,5 @@ def axis(name: str, values: ArrayLike | None) -> list[float]:
         return []
     array = arrays(**{name: values})[name]
     if array.ndim > 1:
-        raise ValueError(f"{name}: an axis is a list of numbers, not an array of shape {array.shape}")
+        raise ValueError(f"{name}: must be a list of numbers, not an array of shape {array.shape}")
     return [float(v) for v in numpy.atleast_1d(array)]

@@ -139,8 +139,8 @@ def _ranking(data: dict[str, Any]) -> str:
     return (
         heading("Effects, best first")
         + table(head, rows, left=3)
-        + (paragraph("gain, RMS and held out refer to the named set", _FAINT) if data["verdict"] == "several-effects" else "")
-        + (paragraph(f"and {more} others, less likely", _FAINT) if more > 0 else "")
+        + (paragraph("gain, RMS and held out refer to all effects of the verdict together", _FAINT) if data["verdict"] == "several-effects" else "")
+        + (paragraph(f"and {more} less likely effects", _FAINT) if more > 0 else "")
     )
 
 
@@ -158,8 +158,8 @@ def _next(data: dict[str, Any]) -> str:
         separation = data.get("predicted_separation")
         if separation is not None:
             out += paragraph(
-                f"expected difference {number(separation)}, by repeating existing points "
-                f"{number(data.get('separation_by_repetition'))}; 6 is enough",
+                f"expected difference of the gains: {number(separation)}; with repeated old points: "
+                f"{number(data.get('separation_by_repetition'))}; a difference of 6 is enough",
                 _FAINT,
             )
     if records:
@@ -170,7 +170,7 @@ def _next(data: dict[str, Any]) -> str:
 
 def _against(part: dict[str, Any]) -> str:
     """Return the names of the compared data and model."""
-    return f'{text(part["rows"])} rows of {text(files_text(part.get("data")))} against ' f'{text(part.get("model"))}'
+    return f'{text(part["rows"])} rows of {text(files_text(part.get("data")))} compared with ' f'{text(part.get("model"))}'
 
 
 def _diagnosis(result: Any) -> str:

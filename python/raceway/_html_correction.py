@@ -39,7 +39,7 @@ def _said(data: dict[str, Any]) -> str:
 
 
 def _of(data: dict[str, Any]) -> str:
-    return paragraph(f'{text(data.get("rows", ""))} rows of {text(files_text(data["data"]))} against ' f'{text(data["model"])}', _FAINT)
+    return paragraph(f'{text(data.get("rows", ""))} rows of {text(files_text(data["data"]))} compared with ' f'{text(data["model"])}', _FAINT)
 
 
 def parameters_table(parameters: dict[str, dict[str, Any]]) -> str:
@@ -50,7 +50,7 @@ def parameters_table(parameters: dict[str, dict[str, Any]]) -> str:
     ]
     more = len(parameters) - len(rows)
     errors = ["std error"] if rows and len(rows[0]) == 4 else []
-    return table(["parameter", "value", *errors, "unit"], rows) + (paragraph(f"and {more} more, in parameters", _FAINT) if more > 0 else "")
+    return table(["parameter", "value", *errors, "unit"], rows) + (paragraph(f"and {more} more in parameters", _FAINT) if more > 0 else "")
 
 
 def correction_html(correction: Any) -> str:

@@ -29,12 +29,12 @@ def asked(
     records = list(record) if isinstance(record, (list, tuple)) else [record]
     for one in records:
         if not isinstance(one, Record):
-            raise TypeError(f"a raceway.Record is wanted, not {type(one).__name__}: " "Record.read(path) or Record.from_pandas(frame)")
+            raise TypeError(f"must be a raceway.Record, not {type(one).__name__}; use " "Record.read(path) or Record.from_pandas(frame)")
     if not records:
         raise ValueError("no record is given")
     maps = {r._columns for r in records}
     if len(maps) > 1:
-        raise ValueError("columns: several records of one question are read by one map")
+        raise ValueError("columns: all records of one call must have the same map of columns")
     options: dict[str, Any] = {
         "columns": maps.pop(),
         "drop_nan": any(r._drop_nan for r in records),
@@ -65,7 +65,7 @@ class LoopModel(FromFile):
             columns that were not found.
         """
         if not isinstance(record, Record):
-            raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
+            raise TypeError(f"must be a raceway.Record, not {type(record).__name__}")
         return in_python(_engine.suggest_columns(self._engine, record._data))
 
     def compare(
@@ -112,7 +112,7 @@ class LoopModel(FromFile):
             raise ValueError(f"zero = {zero!r}: must be mean, first or none")
         for other in others:
             if not isinstance(other, type(self)):
-                raise TypeError(f"a raceway.{type(self).__name__} is wanted, not {type(other).__name__}")
+                raise TypeError(f"must be a raceway.{type(self).__name__}, not {type(other).__name__}")
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         engines = [m._engine for m in (self, *others)]
         answer = _engine.compare(engines, data, name_list("refit", refit), zero, **options)
@@ -237,7 +237,7 @@ class LoopModel(FromFile):
         """Report the levels and the noise of a record, the parameters that a fit can determine, and the effects that the record can test."""
         data, options = asked(record, channel=channel)
         if len(data) > 1:
-            raise TypeError("check: one record is looked at at a time")
+            raise TypeError("check: only one record is possible; call check for each record")
         answer = _engine.check(self._engine, data[0], **options)
         warn(answer.warnings)
         return Check(answer)

@@ -43,7 +43,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     def __init__(self, source: str, text: str, effects: Iterable[Effect] = (), files: Sequence[tuple[str, str, str]] = ()) -> None:
         text_of("text", text)
         if _only_corrects(text):
-            raise InputError(f"{source}: is a correction of a machine: raceway.Correction.read takes it")
+            raise InputError(f"{source}: is a correction of a machine; use raceway.Correction.read to read it")
         self._effects = tuple(effects)
         self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects], files)
         _warn(self._engine.warnings)
@@ -143,7 +143,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         >>> thicker = model.with_values({"rolling_factor": 1.1, "lubricant.viscosity_40C_mm2_s": 32})
         """
         if not isinstance(values, Mapping):
-            raise TypeError(f'values: a dict such as {{"f0": 1.2}} is wanted, not {type(values).__name__}')
+            raise TypeError(f'values: must be a dict such as {{"f0": 1.2}}, not {type(values).__name__}')
         in_file = {text_of("values", name): value_of(name, value) for name, value in values.items()}
         effects = []
         for effect in self._effects:
@@ -157,7 +157,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         A model file cannot contain such an effect, so it is not in `text`. `effects` contains the effect with its numbers.
         """
         if not isinstance(effect, Effect):
-            raise TypeError(f"a raceway.Effect is wanted, not {type(effect).__name__}")
+            raise TypeError(f"must be a raceway.Effect, not {type(effect).__name__}")
         return Model(self.source, self._engine.text, (*self._effects, effect), self._engine.files)
 
     @property

@@ -52,7 +52,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     """
     caller = "ladder()"
     if not results:
-        raise ValueError(f"{caller}: nothing to draw: give a Comparison, Diagnosis or Addition")
+        raise ValueError(f"{caller}: nothing to draw; give a Comparison, Diagnosis or Addition")
     ladders = []
     for result in results:
         found = ladders_of(result, caller)
@@ -64,11 +64,11 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     unit, quantity = ladders[0].unit, ladders[0].quantity
     for one in ladders:
         if one.unit != unit:
-            raise ValueError(f"{caller}: errors in {error_unit(unit)} and in " f"{error_unit(one.unit)} have no common axis: draw them one by one")
+            raise ValueError(f"{caller}: errors in {error_unit(unit)} and in " f"{error_unit(one.unit)} have no common axis; draw them one by one")
     bars = [(step.label, step.rmse, step.kind) for one in ladders for step in one.steps]
     if labels is not None:
         if isinstance(labels, str) or len(labels) != len(bars):
-            raise ValueError(f"{caller}: labels must be a sequence of {len(bars)}, one of each bar")
+            raise ValueError(f"{caller}: labels must be a sequence of {len(bars)} texts, one for each bar")
         bars = [(label, rmse, kind) for label, (_, rmse, kind) in zip(labels, bars)]
     bars += _noise_bars(ladders)
     ax, own = draw.axes_for(ax, caller)

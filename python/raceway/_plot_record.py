@@ -56,14 +56,14 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
         columns = [c for c in frame.columns if f"predicted_{c}" in frame.columns or c.startswith(("predicted_", "residual_"))]
     x = next((c for c in ("time_s", "speed_rpm") if c in frame.columns), None)
     if x is None:
-        raise ValueError(f"{caller}: neither time_s nor speed_rpm in this record: " "there is nothing to draw it over")
+        raise ValueError(f"{caller}: neither time_s nor speed_rpm in this record; " "the plot needs one of these columns as abscissa")
     if isinstance(columns, str):
-        raise TypeError(f"{caller}: columns must be a sequence: [{columns!r}]")
+        raise TypeError(f"{caller}: columns must be a sequence, such as [{columns!r}]")
     if columns is None:
         columns = [c for c in frame.columns if c not in (x, "run_id") and "std_" not in c and pd.api.types.is_numeric_dtype(frame[c])]
     draw.require_columns(frame, columns, caller)
     if not columns:
-        raise ValueError(f"{caller}: no column of numbers beside {x}")
+        raise ValueError(f"{caller}: no column of numbers except {x}")
     panels: dict[tuple[str, bool], list[str]] = {}
     for column in columns:
         # The residual is small next to the displacement.
@@ -102,8 +102,8 @@ def _panels(ax: Axes | Sequence[Axes] | None, units: list[str]) -> tuple[list[Ax
     if len(given) != count:
         raise ValueError(
             f"record(): {count} units ({', '.join(unit_text(u) or 'none' for u in units)}) need "
-            f"{count} axes, not {len(given)}: leave ax out, or fig, axes = plt.subplots({count}, "
-            '1, sharex=True, layout="constrained") and ax=axes'
+            f"{count} axes, not {len(given)}; omit ax, or write fig, axes = plt.subplots({count}, "
+            '1, sharex=True, layout="constrained") and give ax=axes'
         )
     return [draw.axes_for(one, "record()")[0] for one in given], False
 

@@ -73,10 +73,10 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
     data = document_of(run, ("SpindleRun",), CALLER)
     rows = data["rows"]
     if not rows:
-        raise ValueError(f"{CALLER}: no row was reached: the run ended with " f"{data['report']['status']}")
+        raise ValueError(f"{CALLER}: no row was reached, because the run ended with " f"{data['report']['status']}")
     curves = [np.array([of(row) for row in rows], dtype=float) for _, of in PANELS]
     if not np.isfinite(curves[2]).any():
-        raise ValueError(f"{CALLER}: the run of a network has no sets: record(run) draws its nodes")
+        raise ValueError(f"{CALLER}: a model with [network] has no bearing sets; record(run) draws the temperatures of its nodes")
     axes, own = _axes(ax)
     seconds = np.array([row["time_s"] for row in rows], dtype=float)
     time, label = _across(seconds, "time_s")
@@ -121,6 +121,6 @@ def _axes(ax: Sequence[Axes] | None) -> tuple[list[Axes], bool]:
         return list(figure.subplots(len(PANELS), 1, sharex=True)), True
     if isinstance(ax, Axes) or len(list(ax)) != len(PANELS):
         raise ValueError(
-            f"{CALLER}: needs {len(PANELS)} axes: leave ax out, or fig, axes = " f"plt.subplots({len(PANELS)}, 1, sharex=True) and ax=axes"
+            f"{CALLER}: needs {len(PANELS)} axes; omit ax, or write fig, axes = " f"plt.subplots({len(PANELS)}, 1, sharex=True) and give ax=axes"
         )
     return [draw.axes_for(one, CALLER)[0] for one in ax], False

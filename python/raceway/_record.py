@@ -52,7 +52,7 @@ class Record:
 
     def __init__(self, name: str, text: str, *, columns: Mapping[str, str] | str | None = None, drop_nan: bool = False) -> None:
         if not isinstance(text, str):
-            raise TypeError(f"text: a str with the content of a CSV is wanted, not {type(text).__name__}")
+            raise TypeError(f"text: must be a str with the content of a CSV file, not {type(text).__name__}")
         self._name = str(name)
         self._own: str | dict[str, numpy.ndarray | list[str]] = text
         self._data = _engine.Data(self._name, text=text)
@@ -90,7 +90,7 @@ class Record:
         """
         for other in others:
             if not isinstance(other, Record):
-                raise TypeError(f"a raceway.Record is wanted, not {type(other).__name__}")
+                raise TypeError(f"must be a raceway.Record, not {type(other).__name__}")
         record = Record.__new__(Record)
         record.__setstate__((self._name, self._own, self._columns, self._drop_nan, (*self._others, *others)))
         return record
@@ -133,7 +133,7 @@ class Record:
         import pandas
 
         if not isinstance(frame, pandas.DataFrame):
-            raise TypeError(f"a pandas.DataFrame is wanted, not {type(frame).__name__}; " "Record.read() takes the path of a CSV")
+            raise TypeError(f"must be a pandas.DataFrame, not {type(frame).__name__}; " "for the path of a CSV file, use Record.read()")
         if frame.empty:
             raise InputError(f"{name}: the DataFrame has no rows")
         twice = frame.columns[frame.columns.duplicated()]
@@ -172,7 +172,7 @@ class Record:
         own = {str(column): _array_column(str(column), values) for column, values in arrays.items()}
         lengths = {len(values) for values in own.values()}
         if len(lengths) != 1:
-            raise InputError(f"{name}: arrays of one length are wanted, not of {sorted(lengths)}")
+            raise InputError(f"{name}: the arrays must have equal lengths, but the lengths are {sorted(lengths)}")
         return cls._of(name, own, columns, drop_nan)
 
     @property
@@ -215,7 +215,7 @@ def _numbers(values: numpy.ndarray) -> numpy.ndarray:
 def _array_column(name: str, values: ArrayLike | Sequence[str]) -> numpy.ndarray | list[str]:
     array = values if isinstance(values, numpy.ma.MaskedArray) else numpy.asarray(values)
     if array.ndim != 1:
-        raise ValueError(f"{name}: a list of numbers is wanted, not an array of shape {array.shape}")
+        raise ValueError(f"{name}: must be a list of numbers, not an array of shape {array.shape}")
     if isinstance(array, numpy.ma.MaskedArray):
         array = numpy.ma.filled(array.astype(numpy.float64), numpy.nan)
     return _numbers(array) if array.dtype.kind in "fiu" else _texts(array.tolist() if array.dtype.kind != "M" else array.astype(str).tolist())
@@ -248,8 +248,8 @@ def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
         commas = cells[cells.str.contains(",")]
         if len(commas) > 0 and cells.str.fullmatch(r"[+-]?\d+(,\d+)?").all():
             raise InputError(
-                f'{name}: {column} has text with a decimal comma, such as "{commas.iloc[0]}": '
-                'pandas.read_csv(path, sep=";", decimal=",") reads numbers'
+                f'{name}: {column} has text with a decimal comma, such as "{commas.iloc[0]}"; '
+                'use pandas.read_csv(path, sep=";", decimal=",")'
             )
 
 
@@ -259,13 +259,14 @@ def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
         return columns
     if not isinstance(columns, Mapping):
         raise TypeError(
-            "columns: a dict of our names to theirs is wanted, such as " f'{{"friction_torque_Nm": "Moment"}}, not {type(columns).__name__}'
+            "columns: must be a dict from the names of raceway to the names in your data, such as "
+            f'{{"friction_torque_Nm": "Moment"}}, not {type(columns).__name__}'
         )
     lines = ["[columns]"]
     for ours, theirs in columns.items():
         if isinstance(theirs, bool) or not isinstance(theirs, (str, Real)):
             raise TypeError(
-                f"columns: {ours} is the name of one of their columns, or a number that holds in all rows, " f"not {type(theirs).__name__}"
+                f"columns: {ours} must be the name of a column in your data, or one number for all rows, " f"not {type(theirs).__name__}"
             )
         # JSON strings are TOML strings.
         value = json.dumps(theirs) if isinstance(theirs, str) else repr(float(theirs))

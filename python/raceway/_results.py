@@ -64,13 +64,13 @@ class Solution(Mapping[str, numpy.ndarray]):
         try:
             return self._values[self._places[name]]
         except KeyError:
-            raise KeyError(f"{name}: no such result; there are {', '.join(self._places)}") from None
+            raise KeyError(f"{name}: no such result; the results are {', '.join(self._places)}") from None
 
     def __getattr__(self, name: str) -> numpy.ndarray:
         places = self.__dict__.get("_places", {})
         if name in places:
             return self._values[places[name]]
-        raise AttributeError(f"{name}: no such result; there are {', '.join(places)}")
+        raise AttributeError(f"{name}: no such result; the results are {', '.join(places)}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._places)
@@ -329,7 +329,7 @@ class _Fitted(_Report):
     def model(self) -> Model | Correction:
         """Model with the fitted values."""
         if len(self.models) > 1:
-            raise ValueError(f"each record has a model of its own: .models has those of {', '.join(self.models)}")
+            raise ValueError(f"each record has its own model; models has the entries {', '.join(self.models)}")
         return next(iter(self.models.values()))
 
 
@@ -458,5 +458,5 @@ def write_files(files: Iterable[tuple[str | os.PathLike[str], str]], overwrite: 
     named = [(os.fsdecode(path), text) for path, text in files]
     for name, _ in named:
         if not overwrite and os.path.lexists(name):
-            raise FileExistsError(f"{name} exists: overwrite=True replaces it")
+            raise FileExistsError(f"{name} exists already; overwrite=True replaces it")
     _engine.write_files(named, overwrite)

@@ -54,7 +54,7 @@ class Sensitivity(_Answer):
         """Return a text with a table of the most influential data for each prediction and state."""
         blocks = [_block(p) for p in self.data["predictions"]]
         if self.does_not_enter:
-            blocks.append("does not enter: " + ", ".join(self.does_not_enter))
+            blocks.append("no influence: " + ", ".join(self.does_not_enter))
         blocks += [f"not varied: {n['name']}: {n['why']}" for n in self.data["not_varied"]]
         return "\n\n".join(blocks)
 
@@ -72,7 +72,7 @@ class Sensitivity(_Answer):
         predictions = self.data["predictions"]
         names = list(dict.fromkeys(p["name"] for p in predictions))
         first = predictions[0]["data"]
-        most = f"; {first[0]['name']} matters most for the first" if first else ""
+        most = f"; largest influence on the first prediction: {first[0]['name']}" if first else ""
         return f"<raceway.Sensitivity of {', '.join(names)}{most}>"
 
 
@@ -124,7 +124,7 @@ def _block(p: dict[str, Any]) -> str:
         cells = [cell.ljust(w) if k == 0 else cell.rjust(w) for k, (cell, w) in enumerate(zip(row, widths))]
         lines.append("  ".join(cells).rstrip())
     if len(p["data"]) > _FIRST:
-        lines.append(f"{len(p['data']) - _FIRST} more in data")
+        lines.append(f"{len(p['data']) - _FIRST} more in the attribute data")
     return "\n".join(lines + list(p.get("cannot_tell", [])))
 
 

@@ -13,8 +13,8 @@ from ._record import Record
 def one_record(record: Any) -> Record:
     if not isinstance(record, Record):
         raise TypeError(
-            f"a raceway.Record is wanted, not {type(record).__name__}: "
-            "Record.read(path) or Record.from_pandas(frame); a correction is compared with one record"
+            f"must be a raceway.Record, not {type(record).__name__}; use "
+            "Record.read(path) or Record.from_pandas(frame); a correction is compared with one record only"
         )
     return record
 
@@ -24,7 +24,7 @@ def order_text(order: int | Sequence[int]) -> str:
     numbers = list(order) if isinstance(order, (list, tuple)) else [order]
     whole = all(isinstance(n, Integral) and not isinstance(n, bool) for n in numbers)
     if len(numbers) not in (1, 2) or not whole:
-        raise TypeError(f"order: a number of sections or the fewest and the most is wanted, not {order!r}")
+        raise TypeError(f"order: must be a number of sections, or the smallest and the largest number, not {order!r}")
     return ":".join(str(n) for n in numbers)
 
 
@@ -33,8 +33,8 @@ def lag_texts(lags_s: str | Iterable[float] | None) -> list[str]:
     if lags_s is None or isinstance(lags_s, str):
         return [] if lags_s is None else [lags_s]
     if not isinstance(lags_s, Iterable):
-        raise TypeError(f"lags_s: time constants such as [0, 600, 3600] are wanted, not {lags_s!r}")
+        raise TypeError(f"lags_s: must be time constants such as [0, 600, 3600], not {lags_s!r}")
     lags = [number_text("lags_s", lag) for lag in lags_s]
     if not lags:
-        raise ValueError('lags_s: no lag is given; "auto" takes them from the length of the record')
+        raise ValueError('lags_s: no lag is given; "auto" chooses the lags from the length of the record')
     return lags

@@ -133,7 +133,7 @@ class Deflection(_OfSpindle):
 
     def __repr__(self) -> str:
         size = self.displacement_um
-        found = self.status if size is None else f"{size:.4g} um where it acts"
+        found = self.status if size is None else f"{size:.4g} um at the force"
         return f"<raceway.Deflection under {self.data['force_N']:g} N: {found}>"
 
 
@@ -209,7 +209,7 @@ class StepResponses(_OfSpindle):
         """
         if not isinstance(programme, Record):
             wrong = type(programme).__name__
-            raise TypeError(f"programme: a raceway.Record is wanted, not {wrong}")
+            raise TypeError(f"programme: must be a raceway.Record, not {wrong}")
         text = self._answer.superposition(os.fspath(correction), programme._data)
         return json.loads(text)["superposition"]
 
@@ -225,7 +225,7 @@ def _ended(status: list[str], what: str) -> str:
     """Return the number of speeds or steps as text: "3 speeds", or "3 speeds, 1 of them without result"."""
     failed = sum(s != "converged" for s in status)
     words = f"{len(status)} {what}" + ("" if len(status) == 1 else "s")
-    return words if failed == 0 else f"{words}, {failed} of them without result"
+    return words if failed == 0 else f"{words}, {failed} without result"
 
 
 def _one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
@@ -245,4 +245,4 @@ def start_of(start: Any) -> tuple[str, str] | None:
         path = os.fspath(start)
         return path, _engine.read_text(path)
     wrong = type(start).__name__
-    raise TypeError(f"start: the end_state of a result or the path of one is wanted, not {wrong}")
+    raise TypeError(f"start: must be the end_state of a result or the path of its file, not {wrong}")

@@ -153,7 +153,7 @@ class SpindleQuestions:
         {'force_N': 1194, 'time_s': 269}
         """
         if not isinstance(profile, Record):
-            raise TypeError(f"profile: a raceway.Record is wanted, not {type(profile).__name__}: " "Record.read(path) or Record.from_pandas(frame)")
+            raise TypeError(f"profile: must be a raceway.Record, not {type(profile).__name__}; use " "Record.read(path) or Record.from_pandas(frame)")
         answer = _engine.simulate(
             self._engine,
             profile._data,
@@ -349,10 +349,10 @@ class SpindleQuestions:
         1       6000        308.3  29.8    7.6
         """
         if (speed_rpm is None) == (load_cases is None):
-            raise TypeError("speed_rpm simulates and load_cases reads step responses: give one of them")
+            raise TypeError("speed_rpm simulates step responses, but load_cases reads them; give exactly one of the two")
         if load_cases is None:
             if temperature_C is not None:
-                raise TypeError("temperature_C: belongs to load_cases; of steps it is simulated")
+                raise TypeError("temperature_C: only possible with load_cases; simulated steps calculate their temperatures")
             answer = _engine.step_response(
                 self._engine,
                 axis("speed_rpm", speed_rpm),
@@ -365,11 +365,11 @@ class SpindleQuestions:
             )
         else:
             if not (axial_load_N is None and radial_load_N is None and load_speed_rpm is None):
-                raise TypeError("axial_load_N, radial_load_N, load_speed_rpm: are simulated, and load_cases reads step responses")
+                raise TypeError("axial_load_N, radial_load_N, load_speed_rpm: only possible for simulated steps, without load_cases")
             if not isinstance(load_cases, Record):
-                raise TypeError(f"load_cases: a raceway.Record is wanted, not {type(load_cases).__name__}")
+                raise TypeError(f"load_cases: must be a raceway.Record, not {type(load_cases).__name__}")
             if load_cases._columns is not None:
-                raise ValueError("load_cases: columns are taken by their names alone, without a map")
+                raise ValueError("load_cases: a map of columns is not possible; the columns must have the names of raceway")
             cases = (load_cases.name, load_cases.text)
             answer = _engine.imported_steps(self._engine, cases, number_or_nan("temperature_C", temperature_C))
         warn(answer.warnings)

@@ -37,10 +37,10 @@ from ._sweep_slabs import (
 )
 
 JOB = """JOB is a Python file with two names:
-  items   a list, or a mapping of names to items, or a function without arguments that gives one
-  work    a function of one item that gives numbers and text, or a dict of them
+  items   a list, or a mapping of names to items, or a function without arguments that returns one of these
+  work    a function of one item that returns numbers and text, or a dict of numbers and text
 
-A task of a Slurm array does one slab and writes it whole or not at all; merge joins them:
+A task of a Slurm array calculates one slab. It writes the complete slab or nothing. merge joins the slabs:
   #SBATCH --array=1-8
   python3 -m raceway.sweep run job.py --folder slabs --slab $SLURM_ARRAY_TASK_ID/8
   python3 -m raceway.sweep merge slabs -o result.csv
@@ -50,23 +50,23 @@ A task of a Slurm array does one slab and writes it whole or not at all; merge j
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="python3 -m raceway.sweep",
-        description="Many items over many machines, in slabs.",
+        description="Calculate many items on many machines, in slabs.",
         epilog=JOB,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=_engine.__version__)
     commands = parser.add_subparsers(dest="command", required=True)
-    running = commands.add_parser("run", help="do one slab of a job, or all that are left")
+    running = commands.add_parser("run", help="calculate one slab of a job, or all missing slabs")
     running.add_argument("job", metavar="JOB", help="Python file with items and work")
-    running.add_argument("--folder", required=True, help="where slabs are written")
-    running.add_argument("--slab", metavar="K/N", help="the K-th of N slabs; without it all that the folder lacks")
-    running.add_argument("--slabs", type=int, metavar="N", help="without --slab: number of slabs; 32 without")
-    running.add_argument("--client", metavar="ADDRESS", help="without --slab: scheduler of Dask, tcp://HOST:PORT")
-    running.add_argument("--workers", type=int, metavar="N", help="without --slab: N processes of Dask on this computer")
-    running.add_argument("--threads", type=int, help="cores for one item; all, in a worker of Dask 1")
-    merging = commands.add_parser("merge", help="join slabs; refuses a missing one and one of other input")
+    running.add_argument("--folder", required=True, help="folder for the slabs")
+    running.add_argument("--slab", metavar="K/N", help="calculate only slab K of N; default: all slabs that are not in the folder")
+    running.add_argument("--slabs", type=int, metavar="N", help="without --slab: number of slabs; default 32")
+    running.add_argument("--client", metavar="ADDRESS", help="without --slab: address of the Dask scheduler, tcp://HOST:PORT")
+    running.add_argument("--workers", type=int, metavar="N", help="without --slab: use N Dask processes on this computer")
+    running.add_argument("--threads", type=int, help="cores for one item; default: all, or 1 in a Dask worker")
+    merging = commands.add_parser("merge", help="join slabs; all slabs must exist and come from the same input")
     merging.add_argument("folder", metavar="FOLDER")
-    merging.add_argument("-o", "--output", required=True, metavar="FILE", help="CSV, one row per item; - is stdout")
+    merging.add_argument("-o", "--output", required=True, metavar="FILE", help="CSV file to write, one row for each item; - for stdout")
     merging.add_argument("--force", action="store_true", help="overwrite FILE")
     asked = parser.parse_args(arguments)
     try:
@@ -81,7 +81,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"error: {e}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("interrupted; slabs that are done are kept", file=sys.stderr)
+        print("interrupted; the completed slabs are kept", file=sys.stderr)
         return 130
     if said:
         print(said, file=sys.stderr)
@@ -93,7 +93,7 @@ def _run(asked: argparse.Namespace) -> str:
     names, items = sweep._named(None, job.items() if callable(job.items) else job.items)
     if asked.slab is None:
         if asked.client is not None and asked.workers is not None:
-            raise InputError("--client and --workers: take one of them")
+            raise InputError("--client and --workers: give only one of the two")
         with contextlib.ExitStack() as stack:
             client = asked.client if asked.workers is None else stack.enter_context(sweep.workers(asked.workers))
             found = sweep.run(
@@ -102,7 +102,7 @@ def _run(asked: argparse.Namespace) -> str:
         return f"{asked.folder}: {len(found)} items"
     for flag in ("client", "workers", "slabs"):
         if getattr(asked, flag) is not None:
-            raise InputError(f"--{flag}: belongs to all slabs, not to one; leave out --slab")
+            raise InputError(f"--{flag}: not possible together with --slab, which calculates only one slab; remove --slab")
     if asked.threads is not None and asked.threads < 1:
         raise InputError(f"--threads {asked.threads}: must be 1 or more")
     slab = cut(len(items), *_of(asked.slab, len(items)))[_number(asked.slab) - 1]
@@ -119,7 +119,7 @@ def _one_slab(asked: argparse.Namespace, work: Callable[[Any], Any], names: list
             refuse_other_cut(there, header, slab.of)
             if there == path:
                 read_slab(there)
-                return f"{path}: is there already, {slab.last - slab.first} items"
+                return f"{path}: exists already, {slab.last - slab.first} items"
         except CutOff:
             pass  # this task makes its own slab again, other tasks make theirs
     outcomes = storable(work_on(work, items[slab.first : slab.last], asked.threads))
@@ -159,7 +159,7 @@ def _of(text: str, items: int) -> tuple[int]:
     if not (number.isdecimal() and of.isdecimal() and 1 <= int(number) <= int(of)):
         raise InputError(f"--slab {text}: must be K/N with K from 1 to N, such as 3/8")
     if int(of) > items:
-        raise InputError(f"--slab {text}: there are {items} items; N must be at most that")
+        raise InputError(f"--slab {text}: N must be at most {items}, the number of items")
     return (int(of),)
 
 
@@ -169,7 +169,7 @@ def _job(path: str) -> ModuleType:
     name = pathlib.Path(path).stem
     spec = importlib.util.spec_from_file_location(name if name not in sys.modules else f"job_{name}", path)
     if spec is None or spec.loader is None:
-        raise InputError(f"{path}: must be a Python file, ending with .py")
+        raise InputError(f"{path}: must be a Python file with the ending .py")
     job = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = job
     sys.path.insert(0, os.path.dirname(os.path.abspath(path)))
@@ -179,5 +179,5 @@ def _job(path: str) -> ModuleType:
         raise InputError(f"{path}: {type(e).__name__}: {e}") from e
     for wanted in ("items", "work"):
         if not hasattr(job, wanted):
-            raise InputError(f"{path}: has no {wanted}; a job has items and work")
+            raise InputError(f"{path}: has no {wanted}; a job needs items and work")
     return job

@@ -31,7 +31,7 @@ def _dask() -> Any:
         import distributed
     except ImportError:
         raise ImportError(
-            "a sweep over several processes needs Dask, which is not installed: " "apt install python3-dask python3-distributed"
+            "a sweep over several processes needs Dask, which is not installed; run " "apt install python3-dask python3-distributed"
         ) from None
     return distributed
 
@@ -42,7 +42,8 @@ def _security() -> Any:
     try:
         return distributed.security.Security.temporary()
     except ImportError:
-        warnings.warn("other users of this computer can give work to these workers: apt install python3-cryptography", Doubt, stacklevel=5)
+        words = "other users of this computer can give work to these workers; to prevent this, run apt install python3-cryptography"
+        warnings.warn(words, Doubt, stacklevel=5)
         return None
 
 
@@ -102,12 +103,12 @@ def client_of(given: Any) -> Iterator[Any]:
         return
     if not isinstance(given, str):
         raise TypeError(
-            "client: a distributed.Client or the address of a scheduler, such as tcp://10.0.0.1:8786, " f"is wanted, not {type(given).__name__}"
+            "client: must be a distributed.Client or the address of a scheduler, such as tcp://10.0.0.1:8786, " f"not {type(given).__name__}"
         )
     try:
         client = distributed.Client(given, timeout=PATIENCE_S)
     except (OSError, ValueError) as e:
-        raise InputError(f"client = {given!r}: no scheduler answers there within {PATIENCE_S:g} s ({e})") from None
+        raise InputError(f"client = {given!r}: no scheduler at this address answers within {PATIENCE_S:g} s ({e})") from None
     try:
         yield client
     finally:
@@ -119,7 +120,7 @@ def count_workers(client: Any) -> int:
     try:
         client.wait_for_workers(1, timeout=PATIENCE_S)
     except TimeoutError:
-        raise InputError(f"the scheduler has no worker, and none came in {PATIENCE_S:g} s") from None
+        raise InputError(f"the scheduler has no worker, and no worker connected within {PATIENCE_S:g} s") from None
     return len(client.scheduler_info()["workers"])
 
 
@@ -164,7 +165,7 @@ def run_on(
                 workers, looked = len(client.scheduler_info()["workers"]), time.monotonic()
             if workers == 0 and not alone:
                 alone = True
-                warnings.warn("no worker is left; waiting for one to come", Doubt, stacklevel=4)
+                warnings.warn("no worker is left; the sweep waits for a new worker", Doubt, stacklevel=4)
             while waiting and len(flying) < max(1, workers) * AHEAD:
                 submit(waiting.popleft(), None)
             if suspects and all(at is None for _, at in flying.values()):
@@ -188,16 +189,17 @@ def run_on(
                     continue
                 if future.status != "error":
                     raise ConnectionError(
-                        f"{slab}: the scheduler was lost or has dropped it ({future.status}); " "with folder= a sweep goes on where it was"
+                        f"{slab}: the connection to the scheduler is lost, or the scheduler has dropped this slab ({future.status}); "
+                        "with folder=, a new sweep calculates only the missing slabs"
                     )
                 error = future.exception()
                 if not isinstance(error, distributed.scheduler.KilledWorker):
-                    raise InputError(f"{slab}: a worker cannot take it: {type(error).__name__}: {error}") from error
+                    raise InputError(f"{slab}: a worker cannot calculate this slab: {type(error).__name__}: {error}") from error
                 if at is None:
                     pieces[slab] = {}
                     suspects.extend((slab, place) for place in range(slab.first, slab.last))
                 else:
-                    words = "the workers that had it ended, one after the other (memory, a crash); their logs say more"
+                    words = "all workers that calculated this item ended (out of memory, or a crash); see the logs of the workers"
                     finish_suspect(slab, at, Outcome(None, ("KilledWorker", words, ""), ()))
     finally:
         if flying:
@@ -206,7 +208,7 @@ def run_on(
 
 def _refuse_other_version(version: str) -> None:
     if version != _engine.__version__:
-        raise InputError(f"a worker has raceway {version}, this is {_engine.__version__}: all need the same")
+        raise InputError(f"a worker has raceway {version}, but this computer has {_engine.__version__}; install the same version on all computers")
 
 
 def _work(packed: bytes, part: bytes, threads: int | None) -> bytes:
@@ -225,7 +227,7 @@ def _packed(function: Callable[[Any], Any], items: Sequence[Any], what: Any) -> 
     try:
         return cloudpickle.dumps(what, 5)
     except Exception as e:
-        raise TypeError(f"no other process can take the function or an item ({type(e).__name__}: {e})") from None
+        raise TypeError(f"the function or an item cannot be sent to another process ({type(e).__name__}: {e})") from None
     finally:
         for module in own:
             cloudpickle.unregister_pickle_by_value(module)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy
 
 #: Allowed parts of a value, for messages.
-KINDS = "numbers, arrays, text or lists and dicts of them, such as .data"
+KINDS = "numbers, arrays and text, or lists and dicts of these, such as .data"
 
 
 class NoData(TypeError):
@@ -49,7 +49,7 @@ def decode(content: bytes) -> Any:
     try:
         return _value(json.loads(line.decode("ascii")), _arrays(rest))
     except (ValueError, TypeError, LookupError, RecursionError, EOFError, OSError, zipfile.BadZipFile, NotImplementedError) as e:
-        raise ValueError(f"holds no data of a sweep ({type(e).__name__}: {e})") from None
+        raise ValueError(f"does not contain data of a sweep ({type(e).__name__}: {e})") from None
 
 
 def _plain(value: Any, arrays: list[numpy.ndarray]) -> Any:
@@ -93,7 +93,7 @@ def _value(plain: Any, arrays: Sequence[numpy.ndarray]) -> Any:
         return arrays[content]
     if kind == "scalar":
         return arrays[content][()]
-    raise ValueError(f"{kind} is no kind of value")
+    raise ValueError(f"{kind} is not a known kind of value")
 
 
 def _arrays(content: bytes) -> list[numpy.ndarray]:

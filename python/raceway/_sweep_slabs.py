@@ -103,8 +103,8 @@ def _one(function: Callable[[Any], Any], item: Any) -> Outcome:
                 value = pickle.dumps(found, 5)
             except Exception as e:
                 what = (
-                    f"what it gave is a {type(found).__name__}, which no other process can take ({e}): "
-                    "return numbers, arrays, text or lists and dicts of them, such as .data"
+                    f"the function returned a {type(found).__name__}, which cannot be sent to another process ({e}); "
+                    "return numbers, arrays and text, or lists and dicts of these, such as .data"
                 )
                 error = ("TypeError", what, traceback.format_exc())
     doubts = dict.fromkeys(str(w.message) for w in heard)
@@ -230,7 +230,7 @@ def _storable(outcome: Outcome) -> Outcome:
     try:
         encode(pickle.loads(outcome.value))
     except NoData as e:
-        error = ("TypeError", f"what it gave {e}, which a folder of slabs does not hold: return {KINDS}", "")
+        error = ("TypeError", f"the returned value {e}, which a slab file cannot contain; return {KINDS}", "")
         return Outcome(None, error, outcome.doubts)
     return outcome
 
@@ -281,15 +281,15 @@ def _header(path: pathlib.Path, first: bytes) -> dict[str, Any]:
         header = json.loads(first)
         form, version = header["raceway_sweep"], header["version"]
     except (ValueError, KeyError, TypeError, RecursionError):
-        raise CutOff(f"{path}: is no slab of a sweep, or was cut off") from None
+        raise CutOff(f"{path}: is not a slab of a sweep, or is incomplete") from None
     if version != _engine.__version__:
-        raise InputError(f"{path}: was made by raceway {version}, this is {_engine.__version__}: make the slab again")
+        raise InputError(f"{path}: was written by raceway {version}, but this is raceway {_engine.__version__}; calculate the slab again")
     if form != _FORM:
-        raise InputError(f"{path}: is a slab of form {form}, and this version reads form {_FORM}: make the slab again")
+        raise InputError(f"{path}: has slab format {form}, but this version reads only format {_FORM}; calculate the slab again")
     numbers = all(type(header.get(name)) is int for name in ("slab", "slabs", "items"))
     texts = all(type(header.get(name)) is str for name in ("instruction_set", "input", "sha256"))
     if not (numbers and texts and 1 <= header["slab"] <= header["slabs"]):
-        raise InputError(f"{path}: has a header that no sweep writes: remove the file")
+        raise InputError(f"{path}: its header does not come from a sweep; remove the file")
     return header
 
 
@@ -304,21 +304,21 @@ def read_slab(path: pathlib.Path) -> SlabFile:
         header = _header(path, file.readline(_LONGEST_HEADER))
         content = file.read()
     if hashlib.sha256(content).hexdigest() != header["sha256"]:
-        raise CutOff(f"{path}: was cut off or changed after it was made: make the slab again")
+        raise CutOff(f"{path}: is incomplete or was changed after it was written; calculate the slab again")
     try:
         names, parts = decode(content)
         outcomes = [_outcome(*part) for part in parts]
         if not all(type(name) is str for name in names) or len(names) != len(outcomes):
-            raise ValueError("holds other names than items")
+            raise ValueError("the numbers of names and items differ")
     except (ValueError, TypeError) as e:
-        raise InputError(f"{path}: is refused: {e}") from None
+        raise InputError(f"{path}: cannot be read: {e}") from None
     return SlabFile(path, header, names, outcomes)
 
 
 def _outcome(value: Any, error: Any, doubts: Any) -> Outcome:
     texts = [*(error or ()), *doubts]
     if not all(type(text) is str for text in texts) or (error is not None and len(error) != 3):
-        raise ValueError("holds an item that no sweep makes")
+        raise ValueError("an item does not come from a sweep")
     if error:
         kind, message, trace = error
         return Outcome(None, (kind, message, trace), tuple(doubts))
@@ -332,14 +332,16 @@ def slab_files(folder: str | os.PathLike[str]) -> list[pathlib.Path]:
 def refuse_other_input(path: pathlib.Path, header: Mapping[str, Any], made_from: str, items: int) -> None:
     if header["input"] != made_from or header["items"] != items:
         raise InputError(
-            f"{path}: was made from other input (another function, other items or other names): "
-            "take another folder, or remove the slabs of this one"
+            f"{path}: comes from another input (another function, other items or other names); "
+            "use another folder, or remove the slabs in this folder"
         )
 
 
 def refuse_other_cut(path: pathlib.Path, header: Mapping[str, Any], of: int) -> None:
     if header["slabs"] != of:
-        raise InputError(f"{path}: is one of {header['slabs']} slabs, and {of} are wanted: ask for {header['slabs']}, " "or take another folder")
+        raise InputError(
+            f"{path}: is one of {header['slabs']} slabs, but {of} slabs are requested; request {header['slabs']} slabs, or use another folder"
+        )
 
 
 def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> dict[int, SlabFile]:
@@ -349,7 +351,7 @@ def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> d
         try:
             slab = read_slab(path)
         except CutOff as e:
-            warnings.warn(f"{e}; it is made again", Doubt, stacklevel=3)
+            warnings.warn(f"{e}; the sweep calculates this slab again", Doubt, stacklevel=3)
             continue
         refuse_other_input(path, slab.header, made_from, items)
         there[slab.header["slab"]] = slab
@@ -373,12 +375,12 @@ def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
         if found:
             before = next(iter(found.values()))
             if slab.header["input"] != before.header["input"] or slab.header["items"] != before.header["items"]:
-                raise InputError(f"{path}: was made from other input than {before.path}")
+                raise InputError(f"{path}: comes from another input than {before.path}")
             if slab.header["slabs"] != before.header["slabs"]:
-                raise InputError(f"{path}: is one of {slab.header['slabs']} slabs, {before.path} one of {before.header['slabs']}")
+                raise InputError(f"{path}: is one of {slab.header['slabs']} slabs, but {before.path} is one of {before.header['slabs']}")
         number = slab.header["slab"]
         if number in found:
-            raise InputError(f"{path}: is slab {number}, as {found[number].path} is")
+            raise InputError(f"{path}: is slab {number}, but {found[number].path} is also slab {number}; remove one")
         found[number] = slab
     header = next(iter(found.values())).header
     missing = [slab for slab in cut(header["items"], header["slabs"]) if slab.number not in found]
@@ -387,7 +389,7 @@ def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
         items = f"items {missing[0].first + 1} to {missing[0].last}" if len(missing) == 1 else "their items"
         raise InputError(
             f"{os.fspath(folder)}: slab{'s' if len(missing) > 1 else ''} {numbers} of {header['slabs']} "
-            f"({items} of {header['items']}) {'are' if len(missing) > 1 else 'is'} missing: "
+            f"({items} of {header['items']}) {'are' if len(missing) > 1 else 'is'} missing; "
             f"run {'them' if len(missing) > 1 else 'it'} again"
         )
     slabs = [found[number] for number in sorted(found)]
@@ -399,5 +401,5 @@ def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
 
 def mixed_sets(sets: Sequence[str]) -> str:
     return (
-        f"machines with different instruction sets worked on this ({', '.join(sets)}): the last digits of a value " "depend on which of them made it"
+        f"machines with different instruction sets calculated these values ({', '.join(sets)}); " "the last digits of a value depend on the machine"
     )

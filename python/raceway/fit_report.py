@@ -67,30 +67,30 @@ def _criteria(data: dict[str, Any]) -> list[str]:
     n, chi = data["readings"], data["chi_square"]
     if data["aic"] is None:
         why = (
-            "scatter beside the declared deviations was fitted to what this model leaves"
+            "additional scatter was fitted to the residual of this model"
             if chi is not None
-            else "the noise of the readings is not known, or they follow each other"
+            else "the noise of the readings is not known, or the readings are correlated"
         )
-        return _fact("AIC, BIC", "-") + wrapped(f"not to be had: {why}.")
+        return _fact("AIC, BIC", "-") + wrapped(f"AIC and BIC cannot be calculated, because {why}.")
     k = _moved(data, n)
     lines = _fact("AIC, BIC", _pair(data))
     if chi is None:
         return lines + wrapped(
             "AIC = -2 ln L + 2 k and BIC = -2 ln L + k ln N, with -2 ln L = N (1 + ln(2 pi RMS^2)) "
-            f"of N = {n} readings that weigh alike and k = {k} parameters that the fit moved: the "
-            "size of the noise is not known, and its most likely one is taken."
+            f"for N = {n} readings with equal weights and k = {k} parameters that the fit varied. The "
+            "size of the noise is not known, so the most likely size is used."
         )
     log_determinant = data["noise"]["log_determinant"]
     lines += wrapped(
         "AIC = -2 ln L + 2 k and BIC = -2 ln L + k ln N, with -2 ln L = chi2 + ln det(2 pi S) = "
-        f"{chi:.6g} {'+' if log_determinant >= 0 else '-'} {abs(log_determinant):.6g}, S the "
-        f"covariance of the noise of N = {n} readings and k = {k} parameters that the fit moved, "
-        "those at a bound among them. Compare them between models of the same rows and the same S."
+        f"{chi:.6g} {'+' if log_determinant >= 0 else '-'} {abs(log_determinant):.6g}, where S is "
+        f"the covariance matrix of the noise. The fit used N = {n} readings and varied k = {k} parameters, "
+        "including parameters at a bound. Compare AIC and BIC only between models with the same rows and the same S."
     )
     if chi > 0.0:
         scaled = n * math.log(chi / n)
         lines += _fact("AIC, BIC as in lmfit", _pair({"aic": scaled + 2 * k, "bic": scaled + k * math.log(n)}))
-        lines += wrapped("lmfit's are N ln(chi2/N) + 2 k and N ln(chi2/N) + k ln N: there the size " "of the noise is fitted too.")
+        lines += wrapped("lmfit uses N ln(chi2/N) + 2 k and N ln(chi2/N) + k ln N, because it also fits the size " "of the noise.")
     return lines
 
 
@@ -140,7 +140,7 @@ def _parameter(name: str, p: dict[str, Any], start: float | None) -> list[str]:
         more.append(f"bounds {number(p['lower'], 6)} to {number(p['upper'], 6)}")
     if interval := _interval(p):
         more.append(interval)
-    doubt = ", held by the fit" if p.get("held") else "" if p.get("identifiable", True) else ", not told by these data"
+    doubt = ", held constant by the fit" if p.get("held") else "" if p.get("identifiable", True) else ", not determined by these data"
     return wrapped(words + (f" ({', '.join(more)})" if more else "") + _bound(p) + doubt, hanging=" " * 8)
 
 
@@ -165,7 +165,8 @@ def _calibrated(data: dict[str, Any]) -> list[str]:
         lines += _parameter(name, p, p.get("start"))
     if profile := data.get("profile"):
         lines += wrapped(
-            f"95%: by profile likelihood, where chi2 of the others refitted is " f"{profile['rise']:.4g} above its least; open: not before the bound."
+            "95%: interval by profile likelihood. At its ends, chi2 with all other parameters refitted is "
+            f"{profile['rise']:.4g} above its minimum. open: the interval ends at the bound of the parameter."
         )
     return lines + _correlations(list(data["parameters"]), data.get("correlation") or [])
 
@@ -181,7 +182,7 @@ def _said(data: dict[str, Any]) -> list[str]:
 def _fit_facts(data: dict[str, Any]) -> list[str]:
     report = data.get("report", {})
     lines = _fact("readings", data["readings"])
-    lines += _fact("parameters", f"{len(data['parameters'])} free, {_moved(data, data['readings'])} moved")
+    lines += _fact("parameters", f"{len(data['parameters'])} free, {_moved(data, data['readings'])} varied")
     lines += _fact("degrees of freedom", data["degrees_of_freedom"])
     return lines + _fact("fit", f"{report.get('status', '-')}, iterations " f"{report.get('iterations', '-')}")
 
@@ -209,7 +210,10 @@ def _addition(data: dict[str, Any]) -> list[str]:
         lines += _fact("chi-square before", f"{before['chi_square']:.6g}")
         lines += _fact("gain", number(data["gain"], 5))
         lines += _fact("dAIC, dBIC", _pair({key: calibration[key] - before[key] for key in ("aic", "bic")}))
-        lines += wrapped("after less before, under the same noise. gain: fall of -2 ln L less ln N " "for each free shape of an effect.")
+        lines += wrapped(
+            "dAIC, dBIC: value after minus value before, with the same noise. gain: decrease of -2 ln L, minus ln N "
+            "for each free shape parameter of an effect."
+        )
     lines += ["[[Rows held out]]"]
     for part in data.get("hold_out", []):
         lines += wrapped(
@@ -220,7 +224,7 @@ def _addition(data: dict[str, Any]) -> list[str]:
 
 def _ranking(data: dict[str, Any]) -> list[str]:
     base, readings = data["baseline"], data["readings"]
-    lines = ["[[Explanations against the model without them]]"]
+    lines = ["[[Explanations compared with the model without effects]]"]
     lines.append(f"    {'':<30}{'k':>3}{'RMS':>9}{'gain':>9}{'dAIC':>10}{'dBIC':>10}")
     lines.append(f"    {'without':<30}{_moved(base, readings):>3}" f"{number(data['rmse_before'], 4):>9}{'0':>9}{'0':>10}{'0':>10}")
     for one in ranked(data):
@@ -233,9 +237,9 @@ def _ranking(data: dict[str, Any]) -> list[str]:
             f"{fit['bic'] - base['bic']:>10.1f}"
         )
     return lines + wrapped(
-        f"k parameters that the fit moved, RMS in {_unit(data['unit'])}. gain: fall of -2 ln L "
-        "under the noise found, less ln N for each free shape of an effect; needed "
-        f"{number(data.get('needed_gain'), 4)}. dAIC, dBIC: against the model without."
+        f"k: number of parameters that the fit varied. RMS in {_unit(data['unit'])}. gain: decrease of -2 ln L "
+        "with the estimated noise, minus ln N for each free shape parameter of an effect; the verdict needs "
+        f"{number(data.get('needed_gain'), 4)}. dAIC, dBIC: difference from the model without effects."
     )
 
 
@@ -253,9 +257,9 @@ def _held_out(data: dict[str, Any]) -> list[str]:
             lines, words = lines + wrapped(words), ""
         lines.append(f"    {words:<50}{number(e.get('rmse'), 4):>12}" f"{number(e.get('rmse_cross_validated'), 4):>12}")
     return lines + wrapped(
-        "These have no likelihood (effects.gain is null), hence no AIC and BIC: what "
-        "is left follows itself, and effects are judged on parts of the record "
-        "that no fit saw."
+        "These fits have no likelihood (effects.gain is null), AIC or BIC, because the residuals of "
+        "successive readings are correlated. The program judges effects by their error on "
+        "held-out parts of the record."
     )
 
 
@@ -272,7 +276,7 @@ def _diagnosis(data: dict[str, Any]) -> list[str]:
     lines += _fact("RMS error", f"{_error(data['rmse_after'], unit)}, before " f"{_error(data['rmse_before'], unit)}")
     lines += _fact("noise found", _error((data.get("noise") or {}).get("rms"), unit))
     if data.get("p_value") is not None:
-        lines += _fact("p of the misfit", f"{number(data['p_value'], 2)}, of what remains " f"{number(data.get('remaining_p_value'), 2)}")
+        lines += _fact("p of the misfit", f"{number(data['p_value'], 2)}, of the remaining misfit " f"{number(data.get('remaining_p_value'), 2)}")
     if base["chi_square"] is not None:
         lines += _fact("chi-square", f"{base['chi_square']:.6g} without effects")
         lines += _fact("AIC, BIC", f"{_pair(base)} without effects") + _ranking(data)
@@ -287,9 +291,9 @@ def _diagnosis(data: dict[str, Any]) -> list[str]:
     for name, p in data["base_parameters"].items():
         lines += _parameter(name, {**p, "value": p["after"]}, p["before"] if explained else None)
     if explained:
-        lines += wrapped("start: fitted without effects; value: with the first explanation.")
+        lines += wrapped("start: value fitted without effects. All other values are fitted with the first explanation.")
     else:
-        lines += wrapped("fitted without effects: none is named.")
+        lines += wrapped("All values are fitted without effects, because the verdict names no effect.")
     correlation = data["correlation"]
     return lines + _correlations(correlation["names"], correlation["rows"]) + _said(data)
 
@@ -358,7 +362,7 @@ def fit_report(result: Any) -> str:
     [[Calibration of friction_torque]]
         rows                  = 101
         readings              = 101
-        parameters            = 1 free, 1 moved
+        parameters            = 1 free, 1 varied
         degrees of freedom    = 100
         fit                   = converged, iterations 1
     [[Fit Statistics]]
@@ -367,6 +371,6 @@ def fit_report(result: Any) -> str:
     """
     data = document_of(result, ("Calibration", "Addition", "Diagnosis"), "fit_report()")
     if kind_of(result) == "Calibration" and "degrees_of_freedom" not in data:
-        raise ValueError("fit_report(): this Calibration is of no readings: see its data")
+        raise ValueError("fit_report(): this Calibration was not fitted to readings; the attribute data has its results")
     writer = {"Calibration": _calibration, "Addition": _addition, "Diagnosis": _diagnosis}
     return "\n".join(writer[kind_of(result)](data))

@@ -79,7 +79,7 @@ def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", mea
     draw.require_columns(frame, ["speed_rpm", "friction_torque_Nmm", *columns], caller)
     draw.require_one_value(frame, columns, caller)
     if not np.isfinite(draw.numbers(frame, "friction_torque_Nmm", caller)).any():
-        raise ValueError(f"{caller}: no point of the table has a torque: see its column status")
+        raise ValueError(f"{caller}: no point of the table has a torque; the column status gives the reasons")
     readings = None if measured is None else draw.frame_of(measured, caller, "record")
     if readings is not None:
         draw.require_columns(readings, ["speed_rpm", "friction_torque_Nmm"], f"{caller} measured")
@@ -189,7 +189,7 @@ def contact_angles(table: Any, *, by: str | Sequence[str] | None = None, ax: Axe
     ending = "_inner_contact_angle_deg"
     places = [c[: -len(ending)] for c in frame.columns if c.endswith(ending)]
     if places and by is not None:
-        raise ValueError(f"{caller}: by is of a Table: of a shaft the curves are its bearings")
+        raise ValueError(f"{caller}: by is only possible for a Table; for a shaft, the plot has one curve for each of its bearings")
     columns = _columns(by)
     if not places:
         draw.require_columns(frame, [f"{race}_contact_angle_{end}_deg" for race in ("inner", "outer") for end in ("min", "max")], caller)
@@ -316,7 +316,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
     data = document_of(modes, ("Modes",), caller)
     rows = sorted((row for row in data.get("rows", []) if row.get("modes")), key=lambda row: row["speed_rpm"])
     if not rows:
-        raise ValueError(f"{caller}: no speed has modes: see the report of its rows")
+        raise ValueError(f"{caller}: no speed has modes; the key report of each row gives the reason")
     ax, own = draw.axes_for(ax, caller)
     speeds = np.array([row["speed_rpm"] for row in rows])
     # Backward whirl after forward whirl: where both are close, its dashes are visible on the solid line.

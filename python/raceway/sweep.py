@@ -122,7 +122,7 @@ class Sweep(Mapping[str, Any]):
             raise KeyError(f"{name}: no such item")
         if name in self._failed:
             failure = self._failed[name]
-            raise RuntimeError(f"{failure.name} has no value, {failure.kind}: {failure.message}")
+            raise RuntimeError(f"{failure.name} has no value because of {failure.kind}: {failure.message}")
         return self._values[self._places[name]]
 
     def __iter__(self) -> Iterator[str]:
@@ -145,7 +145,7 @@ class Sweep(Mapping[str, Any]):
             cells = value if isinstance(value, Mapping) else {} if failure else {"value": value}
             for key, cell in cells.items():
                 if not isinstance(cell, (bool, int, float, str, numpy.bool_, numpy.number, type(None))):
-                    raise InputError(f"{name}: {key} is a {type(cell).__name__}; a table takes numbers and text, values() has all")
+                    raise InputError(f"{name}: {key} is a {type(cell).__name__}; a table contains only numbers and text; use values()")
             rows.append({"name": name, **cells, "error": failure and f"{failure.kind}: {failure.message}"})
         return rows
 
@@ -229,7 +229,7 @@ def _run(
     progress: Callable[[float, str], None] | None,
 ) -> Sweep:
     if not callable(function):
-        raise TypeError(f"function: a function of one item is wanted, not {type(function).__name__}")
+        raise TypeError(f"function: must be a function of one item, not {type(function).__name__}")
     if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int) or threads < 1):
         raise ValueError(f"threads = {threads!r}: must be 1 or more")
     with contextlib.ExitStack() as stack:
@@ -319,7 +319,7 @@ def solve(
     True
     """
     if not isinstance(model, Model):
-        raise TypeError(f"model: a raceway.Model is wanted, not {type(model).__name__}")
+        raise TypeError(f"model: must be a raceway.Model, not {type(model).__name__}")
     if states < 1:
         raise ValueError(f"states = {states}: must be 1 or more")
     given = _arrays(
@@ -334,7 +334,7 @@ def solve(
         shape = numpy.broadcast_shapes(*(array.shape for array in given.values()))
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items())
-        raise InputError(f"these arrays have no common shape: {shapes}") from None
+        raise InputError(f"these arrays have different shapes, and no common shape fits all: {shapes}") from None
     flat = {n: a if a.ndim == 0 else numpy.broadcast_to(a, shape).reshape(-1) for n, a in given.items()}
     count = int(numpy.prod(shape))
     if count == 0 or not shape:
@@ -423,21 +423,21 @@ def load(folder: str | os.PathLike[str]) -> Sweep:
 def _named(names: Iterable[str] | None, items: Iterable[Any] | Mapping[str, Any]) -> tuple[list[str], list[Any]]:
     if isinstance(items, Mapping):
         if names is not None:
-            raise ValueError("names: the items are a mapping and have theirs")
+            raise ValueError("names: not possible, because items is a mapping, which already has names")
         names, items = list(items), list(items.values())
     if isinstance(items, (str, bytes)):
-        raise TypeError(f"items: a list or a mapping is wanted, not {type(items).__name__}")
+        raise TypeError(f"items: must be a list or a mapping, not {type(items).__name__}")
     found = list(items)
     called = [str(place + 1) for place in range(len(found))] if names is None else list(names)
     for name in called:
         if not isinstance(name, str):
-            raise TypeError(f"names: text is wanted, not {type(name).__name__}")
+            raise TypeError(f"names: must contain text, not {type(name).__name__}")
     if len(called) != len(found):
-        raise ValueError(f"names: there are {len(called)} for {len(found)} items")
+        raise ValueError(f"names: {len(called)} names are given for {len(found)} items")
     if len(set(called)) != len(called):
         seen: set[str] = set()
         twice = next(name for name in called if name in seen or seen.add(name))  # type: ignore[func-returns-value]
-        raise ValueError(f"names: {twice} is there twice")
+        raise ValueError(f"names: {twice} occurs twice")
     return called, found
 
 
@@ -449,11 +449,11 @@ def _number_of_slabs(slabs: int, items: int) -> int:
 
 def _said(found: Sweep) -> Sweep:
     """Warn once about all failed items and once about all warnings, and return the sweep."""
-    lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [("failed", "failures", found.failures), ("made warnings", "doubts", found.doubts)]
+    lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [("failed", "failures", found.failures), ("have warnings", "doubts", found.doubts)]
     for kind, where, which in lists:
         if which:
             count = len({one.name for one in which})
-            warnings.warn(f"{count} of {len(found)} items {kind} (.{where} has all), the first {which[0]}", Doubt, stacklevel=3)
+            warnings.warn(f"{count} of {len(found)} items {kind} (the attribute {where} has all), the first {which[0]}", Doubt, stacklevel=3)
     return found
 
 

@@ -360,22 +360,22 @@ def test_fit_law(program, root, tmp_path):
     [
         ({"order": 0}, raceway.InputError, "--order 0: must be a number of sections from 1 to 6"),
         ({"order": (3, 1)}, raceway.InputError, "--order 3:1: the first number must not be above the second"),
-        ({"order": "two"}, TypeError, "order: a number of sections"),
-        ({"order": (1, 2, 3)}, TypeError, "order: a number of sections"),
-        ({"order": True}, TypeError, "order: a number of sections"),
-        ({"order": (1, 2.5)}, TypeError, "order: a number of sections"),
+        ({"order": "two"}, TypeError, "order: must be a number of sections"),
+        ({"order": (1, 2, 3)}, TypeError, "order: must be a number of sections"),
+        ({"order": True}, TypeError, "order: must be a number of sections"),
+        ({"order": (1, 2.5)}, TypeError, "order: must be a number of sections"),
         ({"inputs": "front_bearing_temperature"}, raceway.InputError, "does not have this input"),
-        ({"inputs": [1]}, TypeError, "inputs: names are wanted"),
+        ({"inputs": [1]}, TypeError, "inputs: must contain names"),
         ({"lags_s": [-5.0]}, raceway.InputError, "--lags -5: must be auto, or time constants from 0"),
         ({"lags_s": [float("nan")]}, raceway.InputError, "--lags nan"),
-        ({"lags_s": ["600"]}, TypeError, "lags_s: a number is wanted, not str"),
+        ({"lags_s": ["600"]}, TypeError, "lags_s: must be a number, not str"),
         ({"lags_s": "fast"}, raceway.InputError, "--lags fast: must be auto"),
-        ({"lags_s": 600}, TypeError, "lags_s: time constants such as"),
+        ({"lags_s": 600}, TypeError, "lags_s: must be time constants such as"),
         ({"lags_s": []}, ValueError, "no lag is given"),
-        ({"lags_s": "auto", "order": 2}, ValueError, "take one of them"),
+        ({"lags_s": "auto", "order": 2}, ValueError, "give only one of the three"),
         ({"baseline": "lasso"}, ValueError, "must be regression or arx"),
         ({"from_s": 1e9}, raceway.InputError, "no reading from"),
-        ({"validate": "test.csv"}, TypeError, "Record is wanted"),
+        ({"validate": "test.csv"}, TypeError, "must be a raceway.Record"),
     ],
 )
 def test_wrong_questions(asked, error, words):
@@ -392,27 +392,27 @@ def test_wrong_records_and_models():
         with pytest.raises(raceway.InputError, match="column front_bearing_temperature_C is missing"):
             ask(rig)
         for wrong in ("train.csv", None):
-            with pytest.raises(TypeError, match="Record is wanted"):
+            with pytest.raises(TypeError, match="must be a raceway.Record"):
                 ask(wrong)
     for ask in (correction.identify, correction.correct):
-        with pytest.raises(TypeError, match="Record is wanted"):
+        with pytest.raises(TypeError, match="must be a raceway.Record"):
             ask([record])
     for ask in (correction.compare, correction.diagnose):
         with pytest.raises(raceway.InputError, match="compared with one record"):
             ask([record, record])
-    with pytest.raises(TypeError, match="Correction is wanted, not Model"):
+    with pytest.raises(TypeError, match="must be a raceway.Correction, not Model"):
         correction.compare(record, bearing)
-    with pytest.raises(TypeError, match="Model is wanted, not Correction"):
+    with pytest.raises(TypeError, match="must be a raceway.Model, not Correction"):
         bearing.compare(rig, correction)
-    with pytest.raises(raceway.InputError, match="raceway.Correction.read takes it"):
+    with pytest.raises(raceway.InputError, match="use raceway.Correction.read to read it"):
         raceway.Model.read(correction.source)
-    with pytest.raises(raceway.InputError, match="raceway.Model.read takes models of bearings"):
+    with pytest.raises(raceway.InputError, match="use raceway.Model.read to read the model of a bearing"):
         raceway.Correction.from_text(bearing.text)
     with pytest.raises(raceway.InputError, match="Error while parsing"):
         raceway.Correction.from_text("[correction")
     with pytest.raises(raceway.InputError, match="unknown effect .no-such."):
         correction.add("no-such", record)
-    with pytest.raises(ValueError, match="every_s: belongs to learn=True"):
+    with pytest.raises(ValueError, match="every_s: only possible with learn=True"):
         correction.correct(record, every_s=60)
     with pytest.raises(raceway.InputError, match="must be above 0"):
         correction.correct(record, learn=True, every_s=-60)
@@ -587,7 +587,7 @@ def test_files_with_clocks_of_their_own_are_one_record():
     assert found.data["rows"] == 1681
     assert any("temperatures and probe are joined into one record" in note for note in found.notes)
     assert found.data["channels"][0]["sections"][0]["gain"]["value"] == pytest.approx(5.0, abs=0.02)
-    with pytest.raises(TypeError, match="a raceway.Record is wanted"):
+    with pytest.raises(TypeError, match="must be a raceway.Record"):
         temperatures.beside(frame)
 
 

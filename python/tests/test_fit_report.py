@@ -65,7 +65,7 @@ def test_scatter_fitted_to_the_misfit_has_no_criteria(make, document, tmp_path, 
     assert data["aic"] is None and data["chi_square"] is not None
     report = fit_report(make("Calibration", data))
     assert fact(report, "AIC, BIC") == "-"
-    assert "was fitted to what this model leaves" in " ".join(report.split())
+    assert "was fitted to the residual of this model" in " ".join(report.split())
 
 
 def test_calibrate_add_and_diagnose_agree_on_how_much_better_the_effect_is(calibration, addition, diagnosis):
@@ -135,7 +135,7 @@ def test_without_known_noise_its_size_is_fitted_too(make, document, tmp_path, tr
     assert data["bic"] == pytest.approx(deviance + 2 * math.log(6))
     report = fit_report(make("Calibration", data))
     assert pair(fact(report, "AIC, BIC")) == pytest.approx((data["aic"], data["bic"]), rel=1e-5)
-    assert "readings that weigh alike" in " ".join(report.split())
+    assert "readings with equal weights" in " ".join(report.split())
 
 
 def test_parameters_have_errors_starts_and_bounds(calibration, make, document):
@@ -230,7 +230,7 @@ def test_of_several_measured_columns_nothing_is_computed_that_the_document_canno
     data = document("calibrate", f"{spindle}/model.toml", f"{spindle}/train.csv")
     assert data["readings"] == sum(c["readings"] for c in data["channels"])
     report = fit_report(make("Calibration", data))
-    assert fact(report, "AIC, BIC") == "-" and "follow each other" in " ".join(report.split())
+    assert fact(report, "AIC, BIC") == "-" and "the readings are correlated" in " ".join(report.split())
     errors = re.findall(r"RMS error += ([0-9.]+) (um|K), before ([0-9.]+)", report)
     assert [float(after) for after, _, _ in errors] == pytest.approx([c["rmse"] for c in data["channels"]], rel=1e-3)
     assert [float(before) for _, _, before in errors] == pytest.approx([c["rmse_before"] for c in data["channels"]], rel=1e-3)
@@ -253,7 +253,7 @@ def test_a_record_over_time_is_judged_by_rows_held_out(make, document):
 
 def test_a_calibration_without_readings_is_refused(make, document):
     data = document("calibrate", "S 6014 C")
-    with pytest.raises(ValueError, match="of no readings"):
+    with pytest.raises(ValueError, match="not fitted to readings"):
         fit_report(make("Calibration", data))
 
 
@@ -262,7 +262,7 @@ def test_nothing_missing_is_a_report_too(make, document):
     data = document("diagnose", f"{rig}/model.toml", f"{rig}/train.csv")
     assert data["verdict"] == "nothing-missing"
     report = fit_report(make("Diagnosis", data))
-    assert "none is named" in " ".join(report.split())
+    assert "the verdict names no effect" in " ".join(report.split())
     # The parameters are those that calibrate finds.
     found = document("calibrate", f"{rig}/model.toml", f"{rig}/train.csv")["parameters"]
     assert list(data["base_parameters"]) == list(found)
@@ -281,7 +281,7 @@ def test_control_characters_of_names_are_not_printed(make, diagnosis):
 
 
 def test_anything_else_is_refused(comparison):
-    with pytest.raises(TypeError, match="takes a Calibration or Addition or Diagnosis"):
+    with pytest.raises(TypeError, match="accepts a Calibration or Addition or Diagnosis"):
         fit_report(comparison)
     with pytest.raises(TypeError, match="one by one"):
         fit_report([comparison])

@@ -91,7 +91,7 @@ def test_a_state_without_balance_says_so(model):
         ({"speed_rpm": [1.0, -3.0]}, raceway.InputError, r"speed_rpm\[1\] = -3 rpm: must be from 0 to 1000000 rpm"),
         ({"speed_rpm": [[1.0], [float("nan")]]}, raceway.InputError, r"speed_rpm\[1, 0\] = nan"),
         ({"speed_rpm": [1.0, 2.0], "axial_load_N": [1.0, 2.0, 3.0]}, raceway.InputError, r"speed_rpm \(2,\), axial_load_N \(3,\)"),
-        ({"speed_rpm": ["1000", "2000"]}, TypeError, "speed_rpm: numbers are wanted, not text"),
+        ({"speed_rpm": ["1000", "2000"]}, TypeError, "speed_rpm: must contain numbers, not text"),
         ({"speed_rpm": [True]}, TypeError, "truth values"),
         ({"speed_rpm": [1j]}, TypeError, "complex"),
         ({"speed_rpm": [None]}, TypeError, "objects"),
@@ -414,7 +414,7 @@ def test_cells_without_a_number_are_named_by_their_row(model):
         assert len(model.predict(dropped)) == 2
     with pytest.raises(raceway.InputError, match="column b has 2 values, but a has 1"):
         _engine.Data("mine", columns={"a": numpy.zeros(1), "b": numpy.zeros(2)})
-    with pytest.raises(raceway.InputError, match="arrays of one length"):
+    with pytest.raises(raceway.InputError, match="the arrays must have equal lengths"):
         raceway.Record.from_arrays({"speed_rpm": [1.0], "friction_torque_Nmm": [1.0, 2.0]})
     with pytest.raises(raceway.InputError, match="column speed_rpm is missing"):
         model.compare(raceway.Record.from_arrays({"friction_torque_Nmm": [1.0, 2.0]}))

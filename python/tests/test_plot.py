@@ -64,7 +64,7 @@ def test_stribeck_refuses_to_join_what_differs_in_another_setting(make, csv):
     frame = csv(
         "table", "data/examples/7014.toml", "--speed", "0:8000:4000", "--axial-load", "100,300", "--temperature", "20,60", "--format", "plain"
     )
-    with pytest.raises(ValueError, match="temperature_C varies too .20, 60."):
+    with pytest.raises(ValueError, match="temperature_C also varies .20, 60."):
         plot.stribeck(frame)
     ax = plot.stribeck(frame, by=["axial_load_N", "temperature_C"])
     assert [line.get_label() for line in ax.lines] == ["100, 20", "100, 60", "300, 20", "300, 60"]
@@ -258,17 +258,17 @@ def test_campbell_joins_the_modes_of_each_whirl(modes):
     "draw, wrong, error, words",
     [
         (plot.stribeck, [1, 2], TypeError, "call it for each"),
-        (plot.stribeck, 3.0, TypeError, "takes a Table"),
+        (plot.stribeck, 3.0, TypeError, "accepts a Table"),
         (plot.stribeck, pd.DataFrame({"speed_rpm": []}), ValueError, "no rows"),
         (plot.stribeck, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'friction_torq"),
         (plot.contact_angles, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'inner_contact"),
         (plot.residuals, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'error'"),
-        (plot.residuals, [], TypeError, "takes a Comparison"),
+        (plot.residuals, [], TypeError, "accepts a Comparison"),
         (plot.record, pd.DataFrame({"speed": [1]}), ValueError, "neither time_s nor speed_rpm"),
-        (plot.record, {"time_s": [1]}, TypeError, "takes a record"),
-        (plot.campbell, pd.DataFrame(), TypeError, "takes a Modes"),
+        (plot.record, {"time_s": [1]}, TypeError, "accepts a record"),
+        (plot.campbell, pd.DataFrame(), TypeError, "accepts a Modes"),
         (plot.ladder, [], TypeError, "one by one"),
-        (plot.ladder, None, TypeError, "takes a Comparison"),
+        (plot.ladder, None, TypeError, "accepts a Comparison"),
     ],
 )
 def test_wrong_use_is_told(draw, wrong, error, words):
@@ -277,7 +277,7 @@ def test_wrong_use_is_told(draw, wrong, error, words):
 
 
 def test_more_wrong_use_is_told(table, diagnosis, displacement, modes, make, train):
-    with pytest.raises(ValueError, match="no column 'load_N': there are speed_rpm"):
+    with pytest.raises(ValueError, match="no column 'load_N'; the columns are speed_rpm"):
         plot.stribeck(table, by="load_N")
     with pytest.raises(ValueError, match="nothing to draw"):
         plot.ladder()
@@ -285,11 +285,11 @@ def test_more_wrong_use_is_told(table, diagnosis, displacement, modes, make, tra
         plot.ladder(diagnosis, labels=["one"])
     with pytest.raises(ValueError, match="its bearings"):
         plot.contact_angles(displacement, by="axial_load_N")
-    with pytest.raises(TypeError, match="ndarray, not a matplotlib Axes: give one of them"):
+    with pytest.raises(TypeError, match="ndarray, not a matplotlib Axes; give one element of it"):
         plot.stribeck(table, ax=np.array([1, 2]))
     with pytest.raises(TypeError, match="must be a sequence"):
         plot.record(train, "speed_rpm")
-    with pytest.raises(ValueError, match="holds text"):
+    with pytest.raises(ValueError, match="contains text"):
         plot.record(train.assign(words="a"), ["words"])
     with pytest.raises(ValueError, match="no speed has modes"):
         plot.campbell(make("Modes", {"rows": [{"speed_rpm": 1.0, "modes": []}]}))

@@ -282,7 +282,7 @@ def test_load_cases_of_another_program_are_fitted(small, document, tmp_path):
     steps = small.step_response(load_cases=raceway.Record.read(path), temperature_C=35)
     assert steps.data == document("step-response", SMALL, "--import", str(path), "--temperature", "35")
     assert [(r["K_um"], r["T_min"]) for r in steps.data["rows"]] == [pytest.approx((12.0, 30.0), rel=1e-4), pytest.approx((30.0, 30.0), rel=1e-4)]
-    with pytest.raises(TypeError, match="give one of them"):
+    with pytest.raises(TypeError, match="give exactly one of the two"):
         small.step_response([3000], load_cases=raceway.Record.read(path))
 
 
@@ -337,7 +337,7 @@ def test_a_run_is_drawn_over_time(run_of_jump, driven):
     assert plot.spindle_run(run_of_jump, ax=given) == list(given)
     with pytest.raises(ValueError, match="needs 4 axes"):
         plot.spindle_run(run_of_jump, ax=given[:2])
-    with pytest.raises(TypeError, match="takes a SpindleRun, not 'SteadyStates'"):
+    with pytest.raises(TypeError, match="accepts a SpindleRun, not 'SteadyStates'"):
         plot.spindle_run(driven.steady(3000))
 
 
@@ -363,16 +363,16 @@ def test_profiles_that_are_none_are_refused(small, frame, words):
         (lambda m: m.steady([5000, 3000]), raceway.InputError, "speed_rpm: the values must be in ascending order"),
         (lambda m: m.steady([]), raceway.InputError, "speed_rpm is missing"),
         (lambda m: m.steady(float("nan")), raceway.InputError, "speed_rpm = nan rpm"),
-        (lambda m: m.steady("fast"), TypeError, "speed_rpm: numbers are wanted, not text"),
+        (lambda m: m.steady("fast"), TypeError, "speed_rpm: must contain numbers, not text"),
         (lambda m: m.steady(6000, ambient_temperature_C=500), raceway.InputError, "must be from -100 to 400 C"),
-        (lambda m: m.steady(6000, ambient_temperature_C="20"), TypeError, "ambient_temperature_C: a number"),
-        (lambda m: m.steady(6000, coolant="off"), TypeError, "coolant: True or False is wanted, not 'off'"),
-        (lambda m: m.simulate("day.csv"), TypeError, "a raceway.Record is wanted, not str"),
+        (lambda m: m.steady(6000, ambient_temperature_C="20"), TypeError, "ambient_temperature_C: must be a number"),
+        (lambda m: m.steady(6000, coolant="off"), TypeError, "coolant: must be True or False, not 'off'"),
+        (lambda m: m.simulate("day.csv"), TypeError, "must be a raceway.Record, not str"),
         (lambda m: m.simulate(record(JUMP), start="{warm"), raceway.InputError, "start: is not JSON"),
         (lambda m: m.simulate(record(JUMP), start="warm.json"), raceway.InputError, "warm.json: "),
-        (lambda m: m.simulate(record(JUMP), start=20.0), TypeError, "start: the end_state of a result"),
+        (lambda m: m.simulate(record(JUMP), start=20.0), TypeError, "start: must be the end_state of a result"),
         (lambda m: m.modes(0, count=41), raceway.InputError, "count = 41 modes: must be from 1 to 40"),
-        (lambda m: m.modes(0, count=2.5), TypeError, "count: a whole number"),
+        (lambda m: m.modes(0, count=2.5), TypeError, "count: must be a whole number"),
         (lambda m: m.deflection(), raceway.InputError, "force_N = 0 N: give a force or a moment_Nm"),
         (lambda m: m.deflection(1, direction="up"), ValueError, "direction = 'up': must be radial or axial"),
         (lambda m: m.deflection(1, direction="axial", moment_Nm=3), raceway.InputError, "moment_Nm needs a radial force_N"),

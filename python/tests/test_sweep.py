@@ -86,13 +86,13 @@ def test_results_stand_in_the_order_of_the_items():
 
 
 def test_an_error_is_that_of_its_item():
-    with pytest.warns(raceway.Doubt, match=r"1 of 4 items failed \(.failures has all\), the first 3: number = -1"):
+    with pytest.warns(raceway.Doubt, match=r"1 of 4 items failed .the attribute failures has all., the first 3: number = -1"):
         found = sweep.run(root_of, [4.0, 9.0, -1.0, 16.0])
     assert found.values() == [2.0, 3.0, None, 4.0]
     (failure,) = found.failures
     assert (failure.name, failure.kind, failure.message) == ("3", "InputError", "number = -1.0: must be 0 or more")
     assert "root_of" in failure.traceback
-    with pytest.raises(RuntimeError, match="3 has no value, InputError: number = -1.0"):
+    with pytest.raises(RuntimeError, match="3 has no value because of InputError: number = -1.0"):
         found["3"]
     assert found.to_frame()["error"].tolist() == [None, None, "InputError: number = -1.0: must be 0 or more", None]
 
@@ -101,7 +101,7 @@ def test_a_value_that_cannot_travel_is_an_error_of_its_item():
     with pytest.warns(raceway.Doubt):
         found = sweep.run(lambda item: threading.Lock() if item == 1 else item, [0, 1])
     assert found.values() == [0, None]
-    assert found.failures[0].message.startswith("what it gave is a lock, which no other process can take")
+    assert found.failures[0].message.startswith("the function returned a lock, which cannot be sent to another process")
 
 
 def test_warnings_are_kept_with_their_item():
@@ -110,7 +110,7 @@ def test_warnings_are_kept_with_their_item():
             warnings.warn("too hot", raceway.Doubt)
         return item
 
-    with pytest.warns(raceway.Doubt, match="1 of 3 items made warnings .*the first 2: too hot"):
+    with pytest.warns(raceway.Doubt, match="1 of 3 items have warnings .*the first 2: too hot"):
         found = sweep.run(doubtful, [1, 2, 3])
     assert [(d.name, d.message) for d in found.doubts] == [("2", "too hot")]
 
@@ -118,12 +118,12 @@ def test_warnings_are_kept_with_their_item():
 @pytest.mark.parametrize(
     ("given", "error", "words"),
     [
-        ({"items": "abc"}, TypeError, "items: a list or a mapping is wanted, not str"),
-        ({"items": [1, 2], "names": ["a"]}, ValueError, "names: there are 1 for 2 items"),
-        ({"items": [1, 2], "names": ["a", "a"]}, ValueError, "names: a is there twice"),
+        ({"items": "abc"}, TypeError, "items: must be a list or a mapping, not str"),
+        ({"items": [1, 2], "names": ["a"]}, ValueError, "names: 1 names are given for 2 items"),
+        ({"items": [1, 2], "names": ["a", "a"]}, ValueError, "names: a occurs twice"),
         ({"items": [1, 2], "slabs": 3}, ValueError, "slabs = 3: must be from 1 to 2"),
         ({"items": [1], "threads": 0}, ValueError, "threads = 0: must be 1 or more"),
-        ({"items": [1], "client": 8786}, TypeError, "client: a distributed.Client or the address"),
+        ({"items": [1], "client": 8786}, TypeError, "client: must be a distributed.Client or the address"),
     ],
 )
 def test_wrong_use(given, error, words):
@@ -133,7 +133,7 @@ def test_wrong_use(given, error, words):
 
 def test_no_scheduler(monkeypatch):
     monkeypatch.setattr("raceway._sweep_dask.PATIENCE_S", 0.3)
-    with pytest.raises(raceway.InputError, match="client = 'tcp://127.0.0.1:9': no scheduler answers there within 0.3 s"):
+    with pytest.raises(raceway.InputError, match="client = 'tcp://127.0.0.1:9': no scheduler at this address answers within 0.3 s"):
         sweep.run(root_of, [1.0], client="tcp://127.0.0.1:9")
 
 
@@ -199,9 +199,9 @@ def test_slabs_of_other_input_are_refused(tmp_path):
         (math.sqrt, [1.0, 2.0, 3.0], None),
         (lambda item: root_of(item), [1.0, 2.0, 3.0], None),
     ):
-        with pytest.raises(raceway.InputError, match="slab-1-of-3.sweep: was made from other input"):
+        with pytest.raises(raceway.InputError, match="slab-1-of-3.sweep: comes from another input"):
             sweep.run(function, items, names=names, folder=tmp_path)
-    with pytest.raises(raceway.InputError, match="is one of 3 slabs, and 2 are wanted"):
+    with pytest.raises(raceway.InputError, match="is one of 3 slabs, but 2 slabs are requested"):
         sweep.run(root_of, [1.0, 2.0, 3.0], folder=tmp_path, slabs=2)
 
 
@@ -272,16 +272,16 @@ def test_what_was_cut_off_is_refused_or_made_again(tmp_path):
     content = file.read_bytes()
     for short in (content[:-1], content[:40], b""):
         file.write_bytes(short)
-        with pytest.raises(raceway.InputError, match="slab-2-of-2.sweep: .*was cut off"):
+        with pytest.raises(raceway.InputError, match="slab-2-of-2.sweep: .*is incomplete"):
             sweep.load(tmp_path)
-    with pytest.warns(raceway.Doubt, match="slab-2-of-2.sweep: .*it is made again"):
+    with pytest.warns(raceway.Doubt, match="slab-2-of-2.sweep: .*the sweep calculates this slab again"):
         assert bits(sweep.run(root_of, items, folder=tmp_path, slabs=2)) == bits(whole)
     assert file.read_bytes() == content
     file.unlink()
-    with pytest.raises(raceway.InputError, match=r"slab 2 of 2 \(items 3 to 4 of 4\) is missing: run it again"):
+    with pytest.raises(raceway.InputError, match=r"slab 2 of 2 \(items 3 to 4 of 4\) is missing; run it again"):
         sweep.load(tmp_path)
     (tmp_path / "copy.sweep").write_bytes((tmp_path / "slab-1-of-2.sweep").read_bytes())
-    with pytest.raises(raceway.InputError, match="slab-1-of-2.sweep: is slab 1, as .*copy.sweep is"):
+    with pytest.raises(raceway.InputError, match="slab-1-of-2.sweep: is slab 1, but .*copy.sweep is also slab 1"):
         sweep.load(tmp_path)
 
 
@@ -311,9 +311,9 @@ def test_a_slab_that_holds_code_is_refused_before_it_is_decoded(tmp_path):
     for content in harmful:
         made = {**header, "sha256": hashlib.sha256(content).hexdigest()}
         file.write_bytes(json.dumps(made).encode() + b"\n" + content)
-        with pytest.raises(raceway.InputError, match="slab-1-of-1.sweep: is refused"):
+        with pytest.raises(raceway.InputError, match="slab-1-of-1.sweep: cannot be read"):
             sweep.load(folder)
-        with pytest.raises(raceway.InputError, match="slab-1-of-1.sweep: is refused"):
+        with pytest.raises(raceway.InputError, match="slab-1-of-1.sweep: cannot be read"):
             sweep.run(root_of, [1.0, 2.0], folder=folder)
         assert not opened.exists()
 
@@ -323,7 +323,7 @@ def test_a_slab_of_an_older_form_is_not_read(tmp_path):
     file = tmp_path / "slab-1-of-1.sweep"
     first, _, content = file.read_bytes().partition(b"\n")
     file.write_bytes(json.dumps({**json.loads(first), "raceway_sweep": 1}).encode() + b"\n" + content)
-    with pytest.raises(raceway.InputError, match="is a slab of form 1, and this version reads form 2: make the slab again"):
+    with pytest.raises(raceway.InputError, match="has slab format 1, but this version reads only format 2; calculate the slab again"):
         sweep.load(tmp_path)
 
 
@@ -347,8 +347,8 @@ def test_a_value_that_is_more_than_data_is_an_error_of_its_item_with_a_folder(tm
     with pytest.warns(raceway.Doubt, match="1 of 2 items failed"):
         found = sweep.run(work, [0, 1], folder=tmp_path)
     assert found.failures[0].message == (
-        "what it gave is a PurePosixPath, which a folder of slabs does not hold: "
-        "return numbers, arrays, text or lists and dicts of them, such as .data"
+        "the returned value is a PurePosixPath, which a slab file cannot contain; "
+        "return numbers, arrays and text, or lists and dicts of these, such as .data"
     )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", raceway.Doubt)
@@ -528,11 +528,11 @@ def test_slabs_of_an_array_are_merged(job, tmp_path):
         assert done.returncode == 0, done.stderr
     missing = job("merge", "slabs", "-o", "all.csv")
     assert missing.returncode == 1 and not (tmp_path / "all.csv").exists()
-    assert missing.stderr == "error: slabs: slab 3 of 3 (items 7 to 10 of 10) is missing: run it again\n"
+    assert missing.stderr == "error: slabs: slab 3 of 3 (items 7 to 10 of 10) is missing; run it again\n"
     third = job("run", "job.py", "--folder", "slabs", "--slab", "3/3")
     assert "1 of 4 items failed" in third.stderr and third.returncode == 0
     again = job("run", "job.py", "--folder", "slabs", "--slab", "3/3")
-    assert again.stderr == "slabs/slab-3-of-3.sweep: is there already, 4 items\n"
+    assert again.stderr == "slabs/slab-3-of-3.sweep: exists already, 4 items\n"
     merged = job("merge", "slabs", "-o", "all.csv")
     assert merged.returncode == 0, merged.stderr
     rows = (tmp_path / "all.csv").read_text().splitlines()
@@ -553,8 +553,8 @@ def test_slabs_of_an_array_are_merged(job, tmp_path):
     [
         (["run", "none.py", "--folder", "f", "--slab", "1/2"], "none.py: no such file"),
         (["run", "job.py", "--folder", "f", "--slab", "3/2"], "--slab 3/2: must be K/N with K from 1 to N, such as 3/8"),
-        (["run", "job.py", "--folder", "f", "--slab", "1/11"], "--slab 1/11: there are 10 items; N must be at most that"),
-        (["run", "job.py", "--folder", "f", "--slab", "1/2", "--client", "tcp://h:1"], "--client: belongs to all slabs"),
+        (["run", "job.py", "--folder", "f", "--slab", "1/11"], "--slab 1/11: N must be at most 10, the number of items"),
+        (["run", "job.py", "--folder", "f", "--slab", "1/2", "--client", "tcp://h:1"], "--client: not possible together with --slab"),
         (["merge", "empty", "-o", "x.csv"], "empty: has no slabs (files *.sweep)"),
     ],
 )
@@ -568,11 +568,11 @@ def test_a_slab_of_another_job_is_refused(job, tmp_path):
     assert job("run", "job.py", "--folder", "slabs", "--slab", "1/2").returncode == 0
     (tmp_path / "job.py").write_text(JOB.replace("6000.0", "7000.0"))
     done = job("run", "job.py", "--folder", "slabs", "--slab", "2/2")
-    assert done.returncode == 1 and "slab-1-of-2.sweep: was made from other input" in done.stderr
+    assert done.returncode == 1 and "slab-1-of-2.sweep: comes from another input" in done.stderr
     assert job("run", "job.py", "--folder", "slabs2", "--slab", "2/2").returncode == 0
     (tmp_path / "slabs2/slab-2-of-2.sweep").rename(tmp_path / "slabs/slab-2-of-2.sweep")
     merged = job("merge", "slabs", "-o", "all.csv")
-    assert merged.returncode == 1 and "was made from other input than" in merged.stderr
+    assert merged.returncode == 1 and "comes from another input than" in merged.stderr
 
 
 def test_docs_scale_shows_what_the_command_does(job, root, tmp_path):

@@ -215,7 +215,7 @@ def unmoved():
     with open("unmoved.log", encoding="utf-8") as log:
         text = log.read()
     demand(s.seen["status"] & NOT_FOLLOWED, f"unmoved: status {s.seen['status']}")
-    demand("OFFSET_AV_RATIO is missing" in text and "were asked for: OFFSET_AV_RATIO" in text, "unmoved: stderr does not say what is missing")
+    demand("OFFSET_AV_RATIO is missing" in text and "check OFFSET_AV_RATIO" in text, "unmoved: stderr does not say what is missing")
     demand(max(map(abs, s.request)) > COUNT_UM, "unmoved: nothing was asked for")
     demand(max(map(abs, s.eoffset)) == 0.0 and max(map(abs, s.followed)) < 1e-3, "unmoved: the joint moved")
     print(f"unmoved: without OFFSET_AV_RATIO alarm after {s.seen['alarm_s']:.1f} s, the joint stands, stderr says why")

@@ -66,7 +66,7 @@ static void limits_of_running_bearings_are_warnings(void) {
   speed = 500000;
   CHECK(raceway_solve(model, 1, &speed, &load, NULL, NULL, NULL, NULL, 0, out, NULL, message,
                       sizeof message) == RACEWAY_WRONG_INPUT);
-  CHECK(strstr(message, "above it the inner ring bursts") != NULL);
+  CHECK(strstr(message, "above the upper limit, the inner ring bursts") != NULL);
   raceway_free(model);
 }
 

@@ -118,7 +118,7 @@ TEST(Band, NeedsACalibrationOfTheValuesThatStandInTheModel) {
   const std::string changed =
       scratch.write("c.toml", replaced(model_text, "f0 = 1.5", "f0 = 1.6") + covariance);
   const Result r = run("solve " + changed + at);
-  expect_refused(r, "has no [calibration.covariance] that was calculated for its values;");
+  expect_refused(r, "has no [calibration.covariance] for its present values;");
   EXPECT_THAT(r.err, HasSubstr("the model has f0 = 1.6"));
   EXPECT_EQ(run("solve " + changed + " --speed 8000 --axial-load 300").status, 0);
 }

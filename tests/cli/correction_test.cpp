@@ -306,7 +306,7 @@ TEST(CorrectionColumns, WritesTheShareOfEachChannelForEachAxis) {
   EXPECT_NEAR(cells[5], cells[6] + cells[7], 1e-6);
   EXPECT_NEAR(cells[6], 0.5 * cells[2], 1e-6);
   EXPECT_THAT(ran.out, HasSubstr("displacement_z_um: mean absolute error"));
-  EXPECT_THAT(ran.out, HasSubstr("% below the largest displacement"));
+  EXPECT_THAT(ran.out, HasSubstr("% smaller than the largest displacement"));
 }
 
 /// Power and position as a control records them, found by their names.

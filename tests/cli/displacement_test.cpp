@@ -123,7 +123,7 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
   // Z F_c tan(25 deg) grows with the speed squared and is 300 N near 6800 rpm.
   EXPECT_THAT(r.err,
               testing::ContainsRegex("warning: front_1, front_2: the load is below the minimum "
-                                     "load from 6[5-9][0-9][0-9] rpm on: 300 N of 300"));
+                                     "load from 6[5-9][0-9][0-9] rpm on: 300 N instead of 300"));
   EXPECT_THAT(r.err,
               testing::ContainsRegex(
                   "warning: rear_1: the load is below the minimum load from 9[0-9]+ rpm on"));

@@ -115,9 +115,9 @@ TEST(Export, StoresARecordThatTheProgramReplays) {
       "coarse.toml",
       std::string(z_model).replace(z_model.find("sections"), 0, "feedthrough_um_K = 2.0\n"));
   EXPECT_THAT(run("export " + coarse + " --format c --record " + data).err,
-              HasSubstr("front_temperature_C reads in steps of 1 K, each of which moves "
-                        "displacement_z_um by 2 um at once: [export] smoothing_s = { "
-                        "front_temperature_C = 60 } spreads them"));
+              HasSubstr("front_temperature_C has steps of 1 K, and each step moves "
+                        "displacement_z_um by 2 um immediately; [export] smoothing_s = { "
+                        "front_temperature_C = 60 } smooths the steps"));
   expect_refused(
       run("export " + model + " --format python --force -o " + data + " --record " + data),
       ": this run reads this file, so it cannot write to the same file; name another file");

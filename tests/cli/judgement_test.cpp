@@ -124,10 +124,11 @@ TEST_F(Judged, ASpeedAtWhichTheRingBurstsIsRefused) {
 }
 
 TEST_F(Judged, AnOilThatIsSolidIsRefused) {
-  expect_refused(command("solve", model_text, "--speed 1000 --axial-load 300 --temperature -95"),
-                 "--temperature = -95 C: must be from -78 to 400 C; below it this oil is solid");
+  expect_refused(
+      command("solve", model_text, "--speed 1000 --axial-load 300 --temperature -95"),
+      "--temperature = -95 C: must be from -78 to 400 C; below the lower limit, this oil is solid");
   expect_refused(command("table", model_text, "--speed 1000 --axial-load 300 --temperature -95,20"),
-                 "below it this oil is solid");
+                 "below the lower limit, this oil is solid");
   EXPECT_THAT(command("solve", model_text, "--speed 1000 --axial-load 300 --temperature -65").err,
               HasSubstr("near its pour point"));
 }

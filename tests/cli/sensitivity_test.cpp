@@ -214,15 +214,15 @@ TEST(Sensitivity, RefusesWhatWasAskedWrong) {
   refused(at_point + " --spread ball_diameter_mm=-1",
           "must be 0 or more, because it is the possible error in both directions");
   refused(at_point + " --spread ball_diameter_mm=wide",
-          "must be a number in the unit of the name, or a percentage such as 10%");
+          "must be a number in the unit of the value, or a percentage such as 10%");
   refused(at_point + " --spread ball_diameter_mm=nan",
-          "must be a number in the unit of the name, or a percentage such as 10%");
+          "must be a number in the unit of the value, or a percentage such as 10%");
   refused(at_point + " --spread ball_diameter_mm=",
           ": write a number of the model and its possible error, such as ball_diameter_mm=0.01 or "
           "viscosity_40C_mm2_s=10%");
   refused(at_point + " --spread ball_count=0.5", "whole number");
   refused(at_point + " --spread radial_load_N=10%",
-          "a percentage of 0 is 0; give the error in the unit of the name");
+          "the value is 0, so a percentage has no effect; give the error in the unit of the value");
   refused(at_point + " --spread nothing.toml", "nothing.toml");
   refused(at_point + " --of torqe", ": unknown prediction; must be one of");
   refused(at_point + " --data nonsense", "has no number of this name");

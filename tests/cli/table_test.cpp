@@ -102,8 +102,9 @@ TEST_F(Table, LeavesPointsWithoutBalanceEmptyWhereAnEffectNeedsIt) {
 TEST_F(Table, OfALawThatNeedsNoBalanceHasATorqueEverywhere) {
   const Result r = table("--speed 0,20000 --axial-load 5 --json", model_text + inner_control);
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err,
-              HasSubstr("1 of 2 points have no equilibrium (their torque does not need it): "));
+  EXPECT_THAT(
+      r.err,
+      HasSubstr("1 of 2 points have no equilibrium (the friction torque does not depend on it): "));
   const json point = parsed(r)["rows"][1];
   EXPECT_TRUE(point["friction_torque_Nmm"].is_number());
   EXPECT_EQ(point["status"], "no_equilibrium");

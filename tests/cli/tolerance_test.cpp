@@ -46,7 +46,7 @@ TEST(Tolerance, AboveTheErrorLeavesNothingThatMatters) {
   EXPECT_EQ(text.status, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("| noise, : tolerance\n"));
   EXPECT_THAT(text.out, HasSubstr("\ntolerance "));
-  EXPECT_THAT(text.out, testing::ContainsRegex("\ncertain, but within the tolerance: "
+  EXPECT_THAT(text.out, testing::ContainsRegex("\nsignificant, but within the tolerance: "
                                                ".*lubricant-drag"));
 }
 

@@ -427,7 +427,8 @@ TEST(ControlPlan, RefusesEquationsThatNeverDecayOrHaveTwoSamplings) {
                 "unit circle"));
   EXPECT_THAT(
       refused(model("z", 1, "[1, 0.5]") + model("y", 2, "[1, 0.5]")),
-      HasSubstr("for calls every 2 s, but those of another channel are for calls every 1 s"));
+      HasSubstr(
+          "for calls every 2 s, but the polynomials of another channel are for calls every 1 s"));
   EXPECT_EQ(refused(model("z", 2, "[1, 0.5]") + model("y", 2, "[1, 0.5]")), "taken");
 }
 
@@ -443,10 +444,11 @@ TEST(ControlPython, ARecordWithOtherHeadersIsRefusedWithTheOnesThatAreNeeded) {
   for (const char* record : {"other.csv", "empty.csv"}) {
     const std::string said = c.folder.shell(
         fmt::format("python3 z.py {} > numbers 2> said; test $? -eq 1; cat said", record));
-    EXPECT_EQ(said,
-              fmt::format("{}: the header has no time_s, front_temperature_C; needed are time_s, "
-                          "front_temperature_C\n",
-                          record));
+    EXPECT_EQ(
+        said,
+        fmt::format("{}: the header has no time_s, front_temperature_C; the record needs time_s, "
+                    "front_temperature_C\n",
+                    record));
     EXPECT_EQ(text_of(c.folder.file("numbers")), "");
   }
 }
@@ -548,7 +550,7 @@ TEST(ControlState, OfAnotherModelIsRefused) {
       c.folder.shell("python3 -c '\nimport a, b\nb.Correction().restore(b.Correction().state())"
                      "\ntry:\n  b.Correction().restore(a.Correction().state())\n"
                      "except ValueError as e: print(e)'"),
-      "the state is of another model\n");
+      "the state belongs to another model\n");
 }
 
 TEST(ControlState, OfAnotherFormatIsRefusedWithAdvice) {
@@ -562,7 +564,7 @@ TEST(ControlState, OfAnotherFormatIsRefusedWithAdvice) {
                            "state.pop(\"format\")\na.Correction().restore(state)\n"
                            "state[\"format\"] = 2\ntry:\n  a.Correction().restore(state)\n"
                            "except ValueError as e: print(e)'"),
-            "the state has format 2, this program reads 1; start without it\n");
+            "the state has format 2, but this program reads only 1; start without the state\n");
 }
 
 TEST(ControlPython, RunsOverARecordByHand) {

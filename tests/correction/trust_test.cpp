@@ -45,7 +45,7 @@ TEST(Trust, IsNoneWhereNothingShowsAnotherDay) {
       StartsWith("do not use, because its record goes from one state to another only once"));
   EXPECT_EQ(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.duration = 0.4 * hour; })))),
-      "do not use, because a time constant of front is 0.5 h, longer than its record of 0.4 h");
+      "do not use, because a time constant of front is 0.5 h, longer than the record of 0.4 h");
 }
 
 TEST(Trust, IsNoneWhereTheDisplacementItselfIsHardlyMore) {
@@ -57,8 +57,8 @@ TEST(Trust, IsNoneWhereTheDisplacementItselfIsHardlyMore) {
 
 TEST(Trust, IsWithinTheRangeWhereReadingsAreShortOrMoreIsLeftThanTolerated) {
   EXPECT_EQ(line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.duration = hour; })))),
-            "only inside its range: a time constant of front is 0.5 h, and its record of 1 h is "
-            "shorter than three of them");
+            "only inside its range: a time constant of front is 0.5 h, and the record of 1 h is "
+            "shorter than three time constants");
   const Evidence coarse = evidence_with([](Evidence& e) { e.error = 2.5 * um; });
   EXPECT_EQ(line_of(trust_of(judged_by(coarse))),
             "only inside its range: the error on held-out parts is 2.5 um (tolerance 1 um)");

@@ -45,17 +45,21 @@ TEST(SuggestColumns, AGermanExportIsRecognised) {
 TEST(SuggestColumns, WhatIsNotFoundStandsAsAComment) {
   const std::string map = suggested("n [rpm],x\n1,2\n2,3\n");
   EXPECT_THAT(map, HasSubstr("speed_rpm = { column = \"n [rpm]\", unit = \"rpm\" }\n"));
-  EXPECT_THAT(map, HasSubstr("# friction_torque_Nmm = \"...\"  # not found, and needed\n"));
-  EXPECT_THAT(map, HasSubstr("# axial_load_N = \"...\"  # not found, and needed: a column, or a "
-                             "number for all rows\n"));
+  EXPECT_THAT(map, HasSubstr("# friction_torque_Nmm = \"...\"  # not found, but needed\n"));
+  EXPECT_THAT(map,
+              HasSubstr("# axial_load_N = \"...\"  # not found, but needed: give a column, or a "
+                        "number for all rows\n"));
 }
 
 /// A unit in [columns] is one that the user has said, and is not asked about again.
 TEST(SuggestColumns, AUnitThatTheFileDoesNotStateIsNotProposed) {
   const std::string map = suggested("Drehzahl,Axialkraft,Reibmoment\n1,2,3\n2,3,4\n");
-  EXPECT_THAT(map, HasSubstr("speed_rpm = \"Drehzahl\"  # no unit in the file: read in rpm\n"));
-  EXPECT_THAT(map, HasSubstr("friction_torque_Nmm = \"Reibmoment\"  # no unit in the file: read in "
-                             "Nmm\n"));
+  EXPECT_THAT(
+      map, HasSubstr("speed_rpm = \"Drehzahl\"  # no unit in the file; raceway reads it in rpm\n"));
+  EXPECT_THAT(
+      map,
+      HasSubstr("friction_torque_Nmm = \"Reibmoment\"  # no unit in the file; raceway reads it in "
+                "Nmm\n"));
 }
 
 TEST(SuggestColumns, VoltsOfATorqueAreTheSignalOfItsSensor) {
@@ -71,7 +75,7 @@ TEST(SuggestColumns, AUnitThatIsNotKnownIsShownAndAsked) {
       suggested("Speed (rad/sec),Load (bananas),Torque (oz-in)\n1,2,3\n2,3,4\n");
   EXPECT_THAT(map, HasSubstr("speed_rpm = { column = \"Speed (rad/sec)\", unit = \"rad_s\" }\n"));
   EXPECT_THAT(map, HasSubstr("# axial_load_N = { column = \"Load (bananas)\", unit = \"...\" }  # "
-                             "the file has \"bananas\", which is not known: N, kN"));
+                             "the file has the unknown unit \"bananas\": is it N, kN"));
 }
 
 /// Single letters of a lab: the case decides where the numbers do not.
@@ -131,14 +135,15 @@ TEST(SuggestColumns, OfACorrectionAreWhatItAsksForByTheWordsOfTheirNames) {
        {"\ntime_s = \"Zeit\"\n",
         "\ndisplacement_z_um = { column = \"Verlagerung Z [mm]\", unit = \"mm\" }\n",
         "\nfront_bearing_temperature_C = { column = \"T Lager vorn [\u00b0C]\", unit = \"C\" }\n",
-        "\nambient_temperature_C = \"Raumtemperatur\"  # no unit in the file: read in C\n",
+        "\nambient_temperature_C = \"Raumtemperatur\"  # no unit in the file; raceway reads it in "
+        "C\n",
         "\nlager_hinten_temperature_C = { column = \"T Lager hinten [\u00b0C]\", unit = \"C\" }  # "
-        "not "
-        "asked for by the model\n",
-        "\nspeed_rpm = { column = \"n Spindel [1/min]\", unit = \"rpm\" }  # not asked for by the "
-        "model\n",
+        "the model does not use this column\n",
+        "\nspeed_rpm = { column = \"n Spindel [1/min]\", unit = \"rpm\" }  # the model does not "
+        "use this column\n",
         "\nx_feed_m_min = { column = \"Vorschub X [mm/min]\", unit = \"mm_min\" }",
-        "\ncoolant_on = \"KSS\"", "\n# \"Moment [Nm]\" has our name already\n"})
+        "\ncoolant_on = \"KSS\"",
+        "\n# \"Moment [Nm]\" needs no line, because raceway knows this name\n"})
     EXPECT_THAT(map, HasSubstr(line));
   // As it stands it is a map.
   const ColumnMap columns = parse_column_map(map, "map.toml");
@@ -152,16 +157,19 @@ TEST(SuggestColumns, OfACorrectionAreWhatItAsksForByTheWordsOfTheirNames) {
 
 TEST(SuggestColumns, OfACorrectionNameWhatIsNotFound) {
   const std::string map = suggested_for(two_lags, "time_s,T1,probe\n0,20,1\n60,21,2\n120,20,3\n");
-  EXPECT_THAT(map, HasSubstr("\n# \"time_s\" has our name already\n"));
-  EXPECT_THAT(map,
-              HasSubstr("\ndisplacement_z_um = \"probe\"  # no unit in the file: read in um  # "
-                        "the only one of its kind that is left\n"));
+  EXPECT_THAT(map, HasSubstr("\n# \"time_s\" needs no line, because raceway knows this name\n"));
+  EXPECT_THAT(
+      map,
+      HasSubstr("\ndisplacement_z_um = \"probe\"  # no unit in the file; raceway reads it in um  # "
+                "the last column of this kind\n"));
   // Which of two it is nobody says.
-  EXPECT_THAT(map, HasSubstr("\nt1_temperature_C = \"T1\"  # no unit in the file: read in C  # not "
-                             "asked for by the model\n"));
+  EXPECT_THAT(
+      map,
+      HasSubstr("\nt1_temperature_C = \"T1\"  # no unit in the file; raceway reads it in C  # the "
+                "model does not use this column\n"));
   EXPECT_THAT(map,
-              HasSubstr("\n# front_bearing_temperature_C = \"...\"  # not found, and needed\n"));
-  EXPECT_THAT(map, HasSubstr("\n# ambient_temperature_C = \"...\"  # not found, and needed\n"));
+              HasSubstr("\n# front_bearing_temperature_C = \"...\"  # not found, but needed\n"));
+  EXPECT_THAT(map, HasSubstr("\n# ambient_temperature_C = \"...\"  # not found, but needed\n"));
 }
 
 TEST(SuggestColumns, OfABareCorrectionAreAllInputs) {
@@ -170,7 +178,7 @@ TEST(SuggestColumns, OfABareCorrectionAreAllInputs) {
   EXPECT_THAT(map,
               HasSubstr("\nlager_vorn_temperature_C = { column = \"T Lager vorn [\u00b0C]\", unit "
                         "= \"C\" }\n"));
-  EXPECT_THAT(map, Not(HasSubstr("not asked for")));
+  EXPECT_THAT(map, Not(HasSubstr("does not use")));
 }
 
 }  // namespace

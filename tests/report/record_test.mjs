@@ -135,7 +135,7 @@ for (const name of ['diagnose', 'add', 'compare', 'runs'])
 test('diagnose: errors on parts that no fit saw are drawn, and are those of the verdict', async () => {
   const { page, close } = await open('diagnose');
   const { models, results: d } = await documentOf(page);
-  assert.deepEqual(models.map((m) => m.name), ['refitted, nothing added', 'with ambient-drift']);
+  assert.deepEqual(models.map((m) => m.name), ['refitted, no effect added', 'with ambient-drift']);
   near(rms(models[0].held_out.residual), d.rmse_held_out_um, 1e-5, 'without');
   near(rms(models[1].held_out.residual), d.effects[0].rmse_held_out_um, 1e-5, 'with');
   const parts = await tableOf(page, 'residual');

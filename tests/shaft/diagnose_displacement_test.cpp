@@ -83,7 +83,7 @@ TEST(DiagnoseDisplacement, FindsWhatWasEnteredWrong) {
       EXPECT_THAT(in_verdict(d), Contains(wrong.id)) << d.sentence;
       if (d.verdict != verdict::Verdict::effect) continue;
       ++found;
-      EXPECT_THAT(d.sentence, testing::StartsWith("Check the bearing card: ")) << d.sentence;
+      EXPECT_THAT(d.sentence, testing::StartsWith("Check the bearing data: ")) << d.sentence;
       EXPECT_NEAR(d.effects[0].parameters[0].value, wrong.truth, 0.03 * wrong.truth);
     }
     EXPECT_GE(found, wrong.alone);

@@ -12,7 +12,7 @@ const folder = '/work';
 function checked(name) {
   const parts = name.split('/');
   if (name.startsWith('/') || name.includes('\0') || parts.some((part) => ['', '.', '..'].includes(part)))
-    throw new Error(`${name}: is no name of a file in the folder of a question`);
+    throw new Error(`${name}: is not a valid file name`);
   return name;
 }
 

@@ -181,7 +181,7 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
     note: () =>
       `Refitted without and with ${others()}: ${shifts()
         .map(([name, p]) => `${name} ${number(p.before)} → ${number(p.after)}`)
-        .join('; ')}. The wrong values hide a part of the effect, which does not appear as misfit. Means over the rows of each speed.`,
+        .join('; ')}. The wrong values hide a part of the effect, so this part does not appear as misfit. Means over the rows of each speed.`,
     option: (l, width) => {
       const top = legend(
         lines.map(([name]) => name),

@@ -116,14 +116,14 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       ['rows', String(d.rows)],
       ['p-value of the misfit', probability(d.p_value)],
       ...toleranceFacts(d, view),
-      ...(effects.length ? ([['p-value of the rest', probability(d.remaining_p_value)]] as [string, string][]) : []),
+      ...(effects.length ? ([['p-value of the remaining misfit', probability(d.remaining_p_value)]] as [string, string][]) : []),
     ]),
     section(
       'The verdict',
       grid(
         effects.length || d.hold_out.length
-          ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, floor, ['refitted, nothing added', effects.length ? `with ${effects.join(' and ')}` : 'with the most similar effect'])
-          : ladder(['refitted, nothing added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], floor),
+          ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, floor, ['refitted, no effect added', effects.length ? `with ${effects.join(' and ')}` : 'with the most similar effect'])
+          : ladder(['refitted, no effect added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], floor),
         d.effects.length ? ranking(report, view) : undefined,
       ),
     ),

@@ -165,7 +165,7 @@ export function contributions(view: RecordView): HTMLElement {
       title: 'Contributions to the displacement',
       note: () =>
         view.about(
-          `contribution of each channel and effect${(view.chosen.parts ?? []).length > view.shares().length ? ', with only the largest ones separate' : ''}. Line: their sum. Points: measured. The fitted zero of the reading is subtracted from both.`,
+          `contribution of each channel and effect${(view.chosen.parts ?? []).length > view.shares().length ? '; the smaller ones are summed' : ''}. Line: their sum. Points: measured. The fitted zero of the reading is subtracted from both.`,
         ),
       wide: true,
       marks: 1e4,
@@ -224,7 +224,7 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
       title: () => `Residual${view.chosen.parts ? '' : ` of the ${view.chosen.in_words}`}`,
       note: () =>
         view.about(
-          `predicted − measured. Shading: the eight parts of the record${held ? '. A second line shows each part as predicted by a fit that did not use this part' : ', which fits hold out one by one; the table has the error on each part'}.${view.chosen.tolerance === null ? '' : ` Band: tolerance of ±${number(view.chosen.tolerance, 3)} ${view.errorUnit}, which applies to the RMS error.`}`,
+          `predicted − measured. Shading: the eight parts of the record${held ? '. A second line shows each part as predicted by a fit that did not use this part' : ', which the fits leave out one by one; the table has the error on each part'}.${view.chosen.tolerance === null ? '' : ` Band: tolerance of ±${number(view.chosen.tolerance, 3)} ${view.errorUnit}, which applies to the RMS error.`}`,
         ),
       wide: true,
       marks: 1e4,

@@ -19,7 +19,7 @@ function rungsOf(d: Diagnosis, heldOut: string): Rung[] {
   };
   const sets = d.explanations.filter((ids) => d.effects.some((e) => ids.includes(e.id)));
   const told = sets.flat();
-  return [{ name: 'refitted, nothing added', rms: d.rmse_before, held: field(d, heldOut) }, ...sets.map((ids) => of(ids, `${ids.join(' and ')} (verdict)`)), ...d.effects.filter((e) => !told.includes(e.id)).map((e) => of([e.id], e.id))];
+  return [{ name: 'refitted, no effect added', rms: d.rmse_before, held: field(d, heldOut) }, ...sets.map((ids) => of(ids, `${ids.join(' and ')} (verdict)`)), ...d.effects.filter((e) => !told.includes(e.id)).map((e) => of([e.id], e.id))];
 }
 
 function where(c: Comparison, unit: string): HTMLElement | undefined {

@@ -197,7 +197,7 @@ function rungsOf(d: Diagnosis, tolerances: (number | null)[]): Rung[] {
   const before = d.channels ?? [];
   return [
     {
-      name: 'refitted, nothing added',
+      name: 'refitted, no effect added',
       rms: together(
         before.map((c) => c.rmse_before),
         tolerances,
@@ -236,7 +236,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
     section(
       'The verdict',
       grid(
-        channelBars(rows, ['refitted, nothing added', ...(explained ? [`with ${(d.explanations[0] ?? []).join(' and ')}`] : []), 'nothing added, held-out parts']),
+        channelBars(rows, ['refitted, no effect added', ...(explained ? [`with ${(d.explanations[0] ?? []).join(' and ')}`] : []), 'no effect added, held-out parts']),
         rungs.length > 1 ? ladder(rungs, { tolerance: 1, noise: null }, times, togetherNote) : undefined,
       ),
     ),

@@ -112,7 +112,7 @@ function left(steps: Step[]): Figure {
   const figure: Figure = new Figure({
     id: 'left',
     title: 'Residuals of the fits',
-    note: () => `Fit − spindle: ${number(now().row.fit_rms_um, 2)} µm RMS by one time constant${hasTwo(now().row) ? `, ${number(now().row.fit_rms_two_um, 2)} µm by two` : ''}.`,
+    note: () => `Fit − spindle: ${number(now().row.fit_rms_um, 2)} µm RMS with one time constant${hasTwo(now().row) ? `, ${number(now().row.fit_rms_two_um, 2)} µm with two` : ''}.`,
     wide: true,
     height: 260,
     controls:

@@ -102,7 +102,7 @@ export function steps(view: RecordView): HTMLElement | undefined {
       note: () => {
         const changed = [...new Set(all().flatMap((r) => r.changed_by))];
         return view.about(
-          `from rest. Each lag has its final value and its time constant, at which the mark stands (63 %). Several lags are dashed, and the solid line is their sum.${all().length > mostPanels ? ` The picture shows the ${mostPanels} largest of ${all().length}; the table has all.` : ''}${changed.length ? ` This response applies during warm-up at low speed with the coolant on. In other states, ${changed.join(', ')} ${changed.length > 1 ? 'change' : 'changes'} the response.` : ''}`,
+          `from rest. Each lag shows its final value and its time constant. The mark (63 %) is at the time constant. Several lags are dashed, and the solid line is their sum.${all().length > mostPanels ? ` The picture shows the ${mostPanels} largest of ${all().length}; the table has all.` : ''}${changed.length ? ` This response applies during warm-up at low speed with the coolant on. In other states, ${changed.join(', ')} ${changed.length > 1 ? 'change' : 'changes'} the response.` : ''}`,
         );
       },
       wide: true,

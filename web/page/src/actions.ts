@@ -200,7 +200,7 @@ export class Actions {
         known({ ...(report ? { added: reportOf<AddedTo>(report), report } : {}), ...(said.refused && !of.forced ? { refused: said.reason } : {}), ...(model ? { model } : {}) });
         this.record(label, of, result);
         if (model) {
-          const rest = await this.asking.ask('Diagnosing what remains', ask.diagnose(of, model));
+          const rest = await this.asking.ask('Diagnosing the remaining misfit', ask.diagnose(of, model));
           documentOf(rest);
           known({ rest: reportOf<Diagnosed>(rest.files['report.html'] as string) });
         }
@@ -321,7 +321,7 @@ export class Actions {
     const [first] = of.data as [TextFile];
     // Of a large file as many rows are proposed from and drawn as can be seen; all of them are checked.
     if (!this.state.proposal) {
-      const proposed = await this.asking.ask('Looking at the columns', ask.suggest(model, { ...first, text: thinned(first.text) }));
+      const proposed = await this.asking.ask('Reading the columns', ask.suggest(model, { ...first, text: thinned(first.text) }));
       if (proposed.status === 0) tell({ proposal: proposed.out });
     }
     const readings: Reading[] = [];
@@ -393,9 +393,9 @@ export class Actions {
       const reader = model?.text ?? (await this.neutralModel());
       const first = data[0] as TextFile;
       const few = thinned(first.text);
-      let answer = await this.asking.ask('Looking at the columns', ask.suggest(reader, { ...first, text: few }));
+      let answer = await this.asking.ask('Reading the columns', ask.suggest(reader, { ...first, text: few }));
       // What is wrong in a line is said of the line in the file.
-      if (answer.status !== 0 && few !== first.text) answer = await this.asking.ask('Looking at the columns', ask.suggest(reader, first));
+      if (answer.status !== 0 && few !== first.text) answer = await this.asking.ask('Reading the columns', ask.suggest(reader, first));
       if (answer.status !== 0) throw new Refused(refusal(answer), ask.dataFiles(data)[0]?.name ?? null, null);
       const { mapped } = readMap(answer.out);
       const named = mapped.length > 0 && mapped.every((m) => m.column === m.ours);
@@ -433,8 +433,8 @@ export class Actions {
     if (of.model || !of.data.length) return;
     // By the names of the file; by the map that was proposed where these do not say it.
     const tried = { ...of, map: '' };
-    const own = (await this.asking.ask('Looking for displacements over time', ask.newRecord(tried))).files['model.toml'];
-    const text = own ?? (of.map ? (await this.asking.ask('Looking for displacements over time', ask.newRecord(of))).files['model.toml'] : undefined);
+    const own = (await this.asking.ask('Searching for displacements over time', ask.newRecord(tried))).files['model.toml'];
+    const text = own ?? (of.map ? (await this.asking.ask('Searching for displacements over time', ask.newRecord(of))).files['model.toml'] : undefined);
     if (!text) return;
     this.store.change({
       model: { name: 'model.toml', text },
