@@ -22,7 +22,7 @@ namespace raceway::files {
 ///
 /// Throws InputError if a required column is missing, if there is no measured column, if a column
 /// name looks misspelt, if a coast-down gives no torque, and for every cell that is empty, not a
-/// number or impossible. One message lists all these cells, the first ten in full.
+/// number or impossible. One message shows the first ten of these cells and counts the others.
 [[nodiscard]] record::Record read_record(const Source& source, const model::ModelSubject& subject,
                                          const ReadOptions& options = {});
 
