@@ -20,7 +20,7 @@ struct CostlyFit {
 
 /// Stopping rule of a fit.
 struct CostlyEnd {
-  double settled = 1e-4;  ///< relative fall of the misfit that counts as no progress
+  double settled = 1e-4;  ///< a smaller relative fall of the misfit counts as no progress
   /// A fit with a larger misfit than this value ends without exact derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
   /// True if the fit stops as soon as exact or approximate derivatives predict a relative fall

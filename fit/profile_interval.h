@@ -21,7 +21,7 @@ struct ProfileInterval {
 
 /// 95 % interval of one parameter by profile likelihood, in the units of the file:
 ///
-///   χ²(value) - χ²(least) = 3.84 factor²
+///   χ²(value) - χ²(fitted value) = 3.84 factor²
 ///
 /// All other parameters are fitted again at every value [BatesWatts1988, ch. 6;
 /// VenzonMoolgavkar1988]. The number 3.84 is the 95 % quantile of χ² with one degree of freedom.

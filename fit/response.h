@@ -76,10 +76,10 @@ struct ResponseFit {
   [[nodiscard]] Parameter fitted(const Response& response, std::size_t parameter) const;
 };
 
-/// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly. Others use
-/// the method of Levenberg and Marquardt from each start, until two starts reach the best optimum
-/// (relative difference of the misfit below 1e-6). If no two starts agree, the fit counts as not
-/// converged.
+/// Minimises the sum of the squared whitened residuals within the bounds. Affine responses are
+/// solved directly. Others use the method of Levenberg and Marquardt from each start, until two
+/// starts reach the best optimum (relative difference of the misfit below 1e-6). If no two starts
+/// agree, the fit counts as not converged.
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);

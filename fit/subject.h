@@ -154,7 +154,7 @@ class Subject : public Judged {
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const = 0;
 
-  /// Returns a copy with information from the whole record, for example the temperature of the
+  /// Returns a copy that knows values of the whole record, for example the temperature of the
   /// coldest row; null if the subject needs none. The loop calls this function once, before it
   /// removes rows. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> informed_by(const Record& record) const;
