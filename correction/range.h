@@ -20,8 +20,8 @@ void see(Model& model, const record::Record& record);
 /// fitted parameters, and the size of the residual.
 [[nodiscard]] Model trusted(const verdict::Calibration& found, const record::Record& record);
 
-/// Removes all information that comes from another record: ranges, covariance, residual and
-/// evidence.
+/// Removes from the model the results of its fit to another record: ranges, covariance, residual
+/// and evidence.
 void forget_what_was_seen(Model& model);
 
 /// Returns the range in the data of the fit: of a column [SI] (absolute values of speeds, feeds and

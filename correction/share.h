@@ -9,7 +9,7 @@
 
 namespace raceway::correction {
 
-/// Contribution to the displacement that is a lag of an input or proportional to the input.
+/// Contribution to the displacement that follows an input, with a first-order lag or instantly.
 struct DrivenShare {
   Input input{};
   double gain = 0.0;             ///< [um] per unit of the input in text (Input::unit())
