@@ -32,8 +32,8 @@ namespace raceway::control {
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// Applies allow_to_stand() to every input, with the longest time for which the record shows it
-/// constant. Returns one sentence for each change.
+/// Applies allow_to_stand() to every input, with the longest time for which this input is constant
+/// in the record. Returns one sentence for each change.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 
