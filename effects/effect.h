@@ -137,7 +137,7 @@ struct LubricantInputs {
   const BaseLaw& base;
 };
 
-/// Lubricant at the contacts, after the effects on it.
+/// Lubricant at the contacts, including the changes by effects on the lubricant.
 struct Film {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double temperature = unset;          ///< [K]
@@ -225,8 +225,9 @@ struct Exclusions {
   std::string_view within_contacts = {};
   /// True: the contact law contains the effect if oil_fraction > 0.
   bool within_oil_fraction = false;
-  /// True: the effect changes the viscous moment, which a friction table does not separate from the
-  /// rest. Effects on the lubricant and corrections of the base law need no flag.
+  /// True: the effect changes the viscous moment. It is not allowed with the law `table`, because a
+  /// friction table need not separate the viscous moment from the rest. Effects on the lubricant
+  /// and corrections of the base law are never allowed with this law and need no flag.
   bool of_viscous_moment = false;
   /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
   /// that use ball loads may leave this text empty: rollers never have such effects.
