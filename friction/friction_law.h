@@ -75,8 +75,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// change the moments.
 ///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-///   table: none; contact, contact_powers and laws of rollers: all data; in these cases the list is
-///   empty
+///   table:    no data; the list is empty
+///   contact, contact_powers, laws of rollers: all data; the list is also empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
 /// True if the law uses the ball equilibrium. Without it, such a law has no moments.

@@ -14,8 +14,8 @@ inline constexpr double medium_nu_n = 300000.0;
 ///   M0 = 1e-7 f0 (ν n)^(2/3) d_m³      ν n >= 2000
 ///   M0 = 160e-7 f0 d_m³                ν n <  2000
 ///
-/// Dimensional as published: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]; only this function converts
-/// the units.
+/// The formulas are in their published units: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]. Only this
+/// function converts them.
 /// Source:   [Palmgren1959; CaseStudy, eq. 22].
 /// Domain:   speed >= 0, viscosity > 0. At ν n = 2000 the two published formulas differ by 0.8 %.
 ///           The second formula is valid down to standstill.

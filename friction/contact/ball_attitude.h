@@ -35,8 +35,11 @@ class TurningBall;
 /// A ball has four free speeds. The cage exerts no force. The conditions for traction at both
 /// contacts are:
 ///
-///   Σ τ_x equal at both contacts,   M = J ω_m x̂ × w       (M of traction about the ball's centre)
-///   T_i + T_o = (2/D) J ω_m ω_R sin β,   the third component
+///   Σ τ_x equal at both contacts,   M = J ω_m x̂ × w
+///   T_i + T_o = (2/D) J ω_m ω_R sin β   (component of M along the orbit)
+///
+/// M is the moment of traction about the centre of the ball, x̂ the direction of the bearing axis,
+/// and w the rotation of the ball seen from the cage.
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
 /// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic

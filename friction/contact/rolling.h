@@ -39,7 +39,9 @@ struct RollingEllipse {
 ///   limited   IVR = 0.835 (R_x/R_z)^-0.358 U^0.636 W^0.364,
 ///             EHL = 1.544 β^(1/3) κ^-0.577 U^0.656 W^0.466 G^0.022
 ///
-/// U, W, β, κ and M are defined at moes_load(), and G = α E'. rolling_power() gives the power.
+/// IVR is the force of a rigid contact with isoviscous oil, and EHL the force of an
+/// elastohydrodynamic contact, both divided by E' R_x². U, W, β, κ and M are defined at
+/// moes_load(), and G = α E'. rolling_power() gives the power.
 /// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The limited inlet is Houpert's law of
 ///           1987. [Balan2015, eqs. 1 to 5] agrees. The equations were read as plain text, not in
 ///           the print layout.
