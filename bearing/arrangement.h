@@ -36,8 +36,8 @@ struct PreloadForce {
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// Clamping travel from first contact of the two sides [m]. It equals the gap ground into the
-/// faces.
+/// Clamping travel from first contact of the two sides [m]. This travel equals the gap ground into
+/// the faces.
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;

@@ -16,8 +16,8 @@ struct RingState {
   std::vector<Plane> balls;
 };
 
-/// Memory of a solve. It is kept between solves, so that later solves need no new memory. Use one
-/// object for each thread.
+/// Memory of a solve. The memory is kept between solves, so that later solves need no new memory.
+/// Use one object for each thread.
 struct RingWorkspace {
   RingNewton<double> newton;
   RingState state;
@@ -64,8 +64,8 @@ class RingSystem {
   [[nodiscard]] double weight(std::size_t k) const { return circle_.weight(static_cast<int>(k)); }
   /// Inner groove centre of ball k [m].
   [[nodiscard]] Plane groove_centre(const Vector5& ring, std::size_t k) const;
-  /// Position of a ball without inner contact. It lies against the outer race and orbits at nearly
-  /// half the shaft speed.
+  /// Position of a ball without inner contact. The ball lies against the outer race and orbits at
+  /// nearly half the shaft speed.
   [[nodiscard]] Plane thrown_ball() const;
 
   std::vector<InnerContact> contacts;  ///< fixed contacts; empty if the physical law decides

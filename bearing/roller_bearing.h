@@ -50,8 +50,9 @@ struct RollerGeometry {
 /// The message gives its name, its value with unit, and the allowed range.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
-/// Number of slices of a roller. It is fixed, because the life depends on it through the edge
-/// factor of ISO/TS 16281. It is odd, so that one slice lies in the middle.
+/// Number of slices of a roller. The number is fixed, because the life depends on the number of
+/// slices through the edge factor of ISO/TS 16281. The number is odd, so that one slice lies in the
+/// middle of the roller.
 inline constexpr std::size_t lamina_count = 41;
 
 /// Relief of a crowned roller at a distance from its middle [m].

@@ -44,7 +44,8 @@ struct ShoulderMargins {
 ///
 /// Domain:   NaN without a shoulder; 0 if the edge lies below the nominal contact; infinite if no
 ///           load up to 1e8 N reaches the edge.
-/// Accuracy: 1e-9 relative. This is a limit of the geometry only: the pressure may exceed 4.2 GPa.
+/// Accuracy: 1e-9 relative. This load is a limit of the geometry only: the pressure may exceed 4.2
+///           GPa.
 struct PermissibleLoads {
   double inner = unset, outer = unset;
   /// Returns the smaller of the known values.

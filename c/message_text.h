@@ -22,7 +22,7 @@ class MessageText : public session::Messages {
   std::string text_;
 };
 
-/// Text buffer of the caller. It is empty until a text is stored.
+/// Text buffer of the caller. The buffer is empty until a text is stored.
 class Reply {
  public:
   Reply(char* text, std::size_t size) noexcept;

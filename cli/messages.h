@@ -36,8 +36,8 @@ void tell(const std::vector<std::string>& notes);
 void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
 
-/// Returns the receiver of the messages of a session. The receiver prints them like tell(). It also
-/// rejects files that the session reads and that are outputs of the same run.
+/// Returns the receiver of the messages of a session. The receiver prints them like tell(). The
+/// receiver also rejects files that the session reads and that are outputs of the same run.
 [[nodiscard]] session::Messages& messages();
 
 /// Prints the reason why there is no result, even with --quiet.

@@ -75,9 +75,9 @@ struct Beyond {
 };
 [[nodiscard]] Beyond beyond_range(const Model& model, const Series& series);
 
-/// Returns the extrapolated part of the prediction at every row [m]. This amount is the sum of
-/// |part - part with limited inputs| over the parts of the model. To limit the inputs, each input
-/// is first limited to its range. Then all inputs are moved towards their mean until they are
+/// Returns the extrapolated part of the prediction at every row [m]. The extrapolated part is the
+/// sum of |part - part with limited inputs| over the parts of the model. To limit the inputs, each
+/// input is first limited to its range. Then all inputs are moved towards their mean until they are
 /// inside the joint range. The result is 0 if no row is outside a range. After a row outside a
 /// range, the lags still differ for some time.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,

@@ -16,8 +16,9 @@ struct DrivenShare {
   double time_constant = unset;  ///< [s]; NaN: instant
 };
 
-/// Contribution of a motor that heats up or cools down with the spindle. It is a lag whose input is
-/// exp(-n/n0) while the spindle turns, and 0 at standstill.
+/// Contribution of a motor that heats up or cools down with the spindle. The contribution follows
+/// exp(-n/n0) with a first-order lag while the spindle turns. At standstill, the input of the lag
+/// is 0.
 struct MotorShare {
   double gain = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]

@@ -225,9 +225,10 @@ struct Exclusions {
   std::string_view within_contacts = {};
   /// True: the contact law contains the effect if oil_fraction > 0.
   bool within_oil_fraction = false;
-  /// True: the effect changes the viscous moment. It is not allowed with the law `table`, because a
-  /// friction table need not separate the viscous moment from the rest. Effects on the lubricant
-  /// and corrections of the base law are never allowed with this law and need no flag.
+  /// True: the effect changes the viscous moment. Such an effect is not allowed with the law
+  /// `table`, because a friction table need not separate the viscous moment from the rest. Effects
+  /// on the lubricant and corrections of the base law are never allowed with this law and need no
+  /// flag.
   bool of_viscous_moment = false;
   /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
   /// that use ball loads may leave this text empty: rollers never have such effects.
@@ -243,8 +244,8 @@ struct Nature {
   /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
   /// is for 60 mm. With an exponent of 0, the range is the same for bearings of all sizes.
   double size_power = 0.0;
-  /// True if the effect increases and decreases as the machine warms up and cools down. Its
-  /// dependence on temperature, or its lag, separates such an effect from other effects.
+  /// True if the effect increases and decreases as the machine warms up and cools down. The
+  /// dependence on temperature, or the lag, separates such an effect from other effects.
   bool follows_heat = false;
   bool base_law = false;   ///< true: corrects an exponent of the base law
   bool empirical = false;  ///< true: a shape without a physical law
@@ -272,8 +273,8 @@ struct Actions {
                                 double temperature, const TangentAbout&, Film&) = nullptr;
   /// Added friction moment of one bearing [N m].
   double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
-  /// Friction moment per unit of the parameter. It replaces `moment` if the moment is proportional
-  /// to a single parameter [N m per unit].
+  /// Friction moment per unit of the parameter. `unit_moment` replaces `moment` if the moment is
+  /// proportional to a single parameter [N m per unit].
   double (*unit_moment)(const MomentInputs&) = nullptr;
   const OwnMoment* user_made = nullptr;  ///< the moment of a user-made effect
   /// Value that is added to the reading of `channel` [SI].

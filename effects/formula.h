@@ -20,8 +20,8 @@ class OwnMoment {
   /// Returns the friction moment [N m].
   [[nodiscard]] virtual double moment(const MomentInputs& inputs,
                                       std::span<const double> values) const = 0;
-  /// Returns true if a model file can store the moment. This is true for a formula, and false for a
-  /// function of a program.
+  /// Returns true if a model file can store the moment. The result is true for a formula, and false
+  /// for a function of a program.
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 

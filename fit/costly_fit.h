@@ -24,8 +24,8 @@ struct CostlyEnd {
   /// A fit with a larger misfit than this value ends without exact derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
   /// True if the fit stops as soon as exact or approximate derivatives predict a relative fall
-  /// below `settled`. Such a fit takes the last step by extrapolation, without a prediction. Its
-  /// misfit approximates the misfit of a full fit.
+  /// below `settled`. Such a fit takes the last step by extrapolation, without a prediction. The
+  /// misfit of such a fit approximates the misfit of a full fit.
   bool rough = false;
 };
 

@@ -122,7 +122,7 @@ struct OtherBase {
   /// `lacks`).
   std::shared_ptr<const Subject> subject{};
   std::string lacks{};  ///< data that this base model needs and that the subject lacks
-  /// True if the exponents are fitted too. Such a base model only describes the data, so it is used
+  /// True if the exponents are fitted too. Such a base model only describes the data and is used
   /// only if no law fits equally well.
   bool fitted_form = false;
 };
@@ -179,9 +179,9 @@ class Subject : public Judged {
   /// become candidates again, because the record must still determine them. The result is null if
   /// there are none. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
-  /// Returns a copy with a shape as an additional candidate with this id, switched off. Its
-  /// parameters start at the values of the shape. The result is null if the model supports no
-  /// formula. Default: null.
+  /// Returns a copy with a shape as an additional candidate with this id, switched off. The
+  /// parameters of the candidate start at the values of the shape. The result is null if the model
+  /// supports no formula. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_shape(const std::string& id,
                                                             const Shape& shape) const;
   /// Returns base models that may replace the base model of the subject. Default: none.

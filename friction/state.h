@@ -47,7 +47,7 @@ struct BearingState {
   }
 };
 
-/// Parameter of a law. It can be given or fitted, and it has bounds.
+/// Parameter of a law. The value can be given or fitted, and it has bounds.
 using Parameter = record::NumberCard;
 
 }  // namespace raceway::friction

@@ -23,8 +23,8 @@ namespace raceway::friction::contact {
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear);
 
 /// Overload that starts the search for -v_x0 at `centre`, as a share of the range of v_x0 [1]. On
-/// return `centre` is the solution. It is a good start for a similar contact, such as the next
-/// ball. A close start needs one pass over the points instead of three or four.
+/// return `centre` is the solution. The solution is a good start for a similar contact, such as the
+/// next ball. A close start needs one pass over the points instead of three or four.
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear,
                                      double& centre);
 /// Start of this search if no similar contact is known.

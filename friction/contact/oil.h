@@ -8,7 +8,7 @@
 #include "record/units.h"
 
 /// Contacts of ball and race: film, rolling resistance of the oil, traction, hysteresis. This file
-/// has the formulas; contact_friction.h sums them over a bearing.
+/// has the formulas of one contact; contact_friction.h sums the friction over a bearing.
 namespace raceway::friction::contact {
 
 /// Types of oil that differ in the properties below. For a grease, the type of its base oil.

@@ -76,8 +76,8 @@ struct RollingEllipse {
 
 /// Power lost in the oil of one inlet, P = 2 F u [W], because F acts on both surfaces.
 ///
-/// Source:   derived from the power integral of [BibouletHoupert2010, part 2, eq. 37]. It agrees
-///           with the 6 r F of [Balan2015] for three balls between two plates.
+/// Source:   derived from the power integral of [BibouletHoupert2010, part 2, eq. 37]. The formula
+///           agrees with the 6 r F of [Balan2015] for three balls between two plates.
 [[nodiscard]] inline double rolling_power(double force, double speed) {
   return 2.0 * force * speed;
 }
@@ -91,8 +91,8 @@ struct RollingEllipse {
 /// Domain:   L >= 0; φ = 1 at L = 0. Measured up to about L = 5. Spindle bearings reach L = 10,
 ///           where the formula is extrapolated and reduces the rolling force by nearly two thirds.
 /// Trap:     above about L = 40 (flooded: 300) the product of φ and the force of a limited inlet
-///           decreases when the viscosity increases. This happens with thick oil at the highest
-///           speeds, where there are no measurements.
+///           decreases when the viscosity increases. This decrease occurs with thick oil at the
+///           highest speeds, where there are no measurements.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {
   if (!(loading > 0.0)) return 1.0;
   return 1.0 / (1.0 + 0.29 * std::pow(loading, 0.78));

@@ -21,7 +21,7 @@ struct ShearResponse {
 ///   τ = (1 - φ) min(τ0 asinh(η(p) v/(h_c τ0)), Γ p) + φ μ p v/sqrt(v² + ε²)
 ///
 /// τ0 is Eyring's stress, Γ the limiting traction, φ the result of asperity_share(), and μ the
-/// boundary friction coefficient. ε is 1e-6 of the rolling speed, far below any relevant slip. It
+/// boundary friction coefficient. ε is 1e-6 of the rolling speed, far below any relevant slip. ε
 /// makes the direction of τ smooth where v changes sign.
 /// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], not checked
 ///           against the print. η(p) is Roelands' law.
@@ -37,8 +37,8 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Upper limit of `steepness`, above the value of any real film [s/m]. It keeps Roelands' values
-  /// finite at unrealistic pressures.
+  /// Upper limit of `steepness`, above the value of any real film [s/m]. The limit keeps Roelands'
+  /// values finite at unrealistic pressures.
   static constexpr double glass = 1e30;
 
   struct Point {

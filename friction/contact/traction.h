@@ -168,8 +168,8 @@ template <class Value>
   return false;
 }
 
-/// v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. It lies between -ω_roll
-/// a²/(2 R) and 0, because rolling drags the edges of the ellipse forward.
+/// v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. The result lies between
+/// -ω_roll a²/(2 R) and 0, because rolling drags the edges of the ellipse forward.
 template <class Field>
 [[nodiscard]] bool find_free_rolling(const Field& field, bool whole, CentreSlip& slip) {
   const SlidingEllipse& e = field.ellipse();
@@ -211,8 +211,9 @@ template <class Field>
 }
 
 /// Traction of a freely rolling contact that creeps transversely until it balances a force T: Σ τ_x
-/// = 0, Σ τ_y = T [N]. It does not converge if no slip up to 1 km/s balances T. Do not use it for
-/// the gyroscopic moment of a ball under race control, which a film cannot balance.
+/// = 0, Σ τ_y = T [N]. The search does not converge if no slip up to 1 km/s balances T. Do not use
+/// this function for the gyroscopic moment of a ball under race control, which a film cannot
+/// balance.
 template <class Field>
 [[nodiscard]] Traction holding_traction(const Field& field, double force) {
   if (force == 0.0) return rolling_traction(field);
