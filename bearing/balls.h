@@ -56,7 +56,7 @@ class Balls {
   Balls() = default;
 
   /// Allocates memory for the distinct balls of a bearing with `count` balls. The solver fills
-  /// them.
+  /// these balls.
   std::span<BallEquilibrium> reset(int count, Symmetry symmetry) {
     count_ = count;
     symmetry_ = symmetry;

@@ -33,8 +33,8 @@ class RingSystem {
 
   void set_point(const OperatingPoint& point);
 
-  /// Iterates from `state` to equilibrium within the tolerance. If it returns false, `state` is
-  /// undefined.
+  /// Iterates from `state` to equilibrium within the tolerance. If the function returns false,
+  /// `state` is undefined.
   [[nodiscard]] bool newton(RingState& state);
   /// Sets all of `result` except status and iterations at equilibrium.
   void fill(const RingState& state, BearingEquilibrium& result) const;

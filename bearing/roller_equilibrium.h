@@ -108,8 +108,8 @@ class RollerBalance;
 
 /// Roller bearing with a given displacement of the inner ring: finds the equilibrium of the rollers
 /// between the raceways. The displacement has the five coordinates of DisplacedBearing; the axial
-/// coordinate has no effect. Use it for many displacements and clearances. Each solve starts from
-/// the previous solution. The object keeps a reference to the bearing.
+/// coordinate has no effect. Use this class for many displacements and clearances. Each solve
+/// starts from the previous solution. The object keeps a reference to the bearing.
 class DisplacedRollerBearing {
  public:
   /// If `clearance` is NaN, the clearance of the geometry is used.

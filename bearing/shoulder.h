@@ -22,8 +22,8 @@ namespace raceway::bearing {
 ///   θ - (α + asin(a/r))
 ///
 /// a is the half axis of the ellipse across the rolling direction. The margin is the smallest of
-/// all balls that touch. If it is below zero, the edge of the shoulder truncates the ellipse, and
-/// the pressure at the edge is higher than Hertz theory predicts.
+/// all balls that touch. If the margin is below zero, the edge of the shoulder truncates the
+/// ellipse, and the pressure at the edge is higher than Hertz theory predicts.
 /// Source:   comparison of the static ellipse with the land height, as in [Harris2006, vol. 1];
 ///           from memory, not checked against the print.
 /// Domain:   a bearing in equilibrium. For α0 = 0 (deep groove, two shoulders) |α| replaces α;

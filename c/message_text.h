@@ -34,8 +34,8 @@ class Reply {
   std::size_t size_;
 };
 
-/// Stores the message of the current exception in the reply, in the words of the command. Call it
-/// only in a `catch` block.
+/// Stores the message of the current exception in the reply, in the words of the command. Call this
+/// function only in a `catch` block.
 void explain(Reply& reply) noexcept;
 
 /// Returns the result of `work`. If `work` throws, returns `failed` and stores the message in the

@@ -32,8 +32,8 @@ struct ControlInput {
   std::string unit{};        ///< "C"
   bool temperature = false;
   bool by_amount = true;  ///< true: the absolute value is used, as for speeds, feeds and coolant
-  /// Range of the input in the data of the fit; NaN if not known. For several models, it is the
-  /// intersection of their ranges.
+  /// Range of the input in the data of the fit; NaN if not known. For several models, the range is
+  /// the intersection of the ranges of the models.
   double lowest = unset, highest = unset;
   /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN means that a limit is not
   /// checked.

@@ -106,7 +106,7 @@ struct Learning {
 /// the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. Sizes and times are our choice, based on the record of
-///           docs/correction.md with models from three initial parts of it.
+///           docs/correction.md with models from three initial parts of this record.
 /// Domain:   records over time. A lag is added to a channel only if the model contains the range of
 ///           its input.
 /// Accuracy: the standard deviation depends on the sizes and times assumed above.

@@ -31,7 +31,7 @@ inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle}
 /// Returns the name in files: "rig", "shaft" or "spindle".
 [[nodiscard]] std::string_view name(Form form);
 
-/// Parameter of an effect, in the unit of the files. The effect converts it to SI.
+/// Parameter of an effect, in the unit of the files. The effect converts the value to SI.
 using Parameter = record::NumberCard;
 
 /// Data that the model and its record must have before an effect can be tested or fitted.
@@ -59,7 +59,8 @@ enum class Need {
 /// row".
 [[nodiscard]] std::string text(const record::Channel& channel);
 
-/// Returns the supplies in words: "an oil jet or an oil bath". Any one of them is sufficient.
+/// Returns the supplies in words: "an oil jet or an oil bath". Any one of these supplies is
+/// sufficient.
 [[nodiscard]] std::string text(std::span<const friction::Supply> supplies);
 
 /// Values recorded with a row in addition to its operating point; NaN if not recorded.
@@ -218,7 +219,7 @@ struct Requirements {
   }
 };
 
-/// Base laws that already contain an effect, and bearings that do not have it.
+/// Base laws that already contain an effect, and bearings that do not have the effect.
 struct Exclusions {
   /// Text with the keys of the contact law that replace the effect, if the contact law already
   /// contains the effect. Empty if the effect may be added to the contact law.
@@ -268,7 +269,7 @@ struct Actions {
   /// Changes viscosity or viscous share. Several effects act in the order of the catalogue.
   void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
   /// Does the same as `lubricant` by Newton's method from `temperature`, if the tangents of the
-  /// contact moment are known. Returns false if it finds no solution.
+  /// contact moment are known. Returns false if the method finds no solution.
   bool (*lubricant_by_tangents)(const LubricantInputs&, std::span<const double> values,
                                 double temperature, const TangentAbout&, Film&) = nullptr;
   /// Added friction moment of one bearing [N m].

@@ -13,7 +13,7 @@ namespace raceway::effects {
 
 using record::FormulaError;
 
-/// A user-made friction moment. Several threads may call it at the same time.
+/// A user-made friction moment. Several threads may call the moment at the same time.
 class OwnMoment {
  public:
   virtual ~OwnMoment() = default;
@@ -27,7 +27,7 @@ class OwnMoment {
 
 /// A user-made friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2" in
 /// N mm. The formula may use the names in variables() and the parameters of the effect, with the
-/// operators and functions of muParser. Several threads may evaluate it at the same time.
+/// operators and functions of muParser. Several threads may evaluate the formula at the same time.
 class Formula : public OwnMoment {
  public:
   /// Throws FormulaError for an invalid formula, and for a name that is neither a variable nor a

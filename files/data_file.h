@@ -13,9 +13,9 @@ namespace raceway::files {
 ///
 /// Loads and temperature may come from the model, and so may the inertia that converts a coast-down
 /// (a record of only time and speed) to friction torque: see Expected. The reader keeps the
-/// measured columns that `subject` predicts. If the file has none of them, the reader keeps the
-/// first column of Expected::measured, which the subject may then reject. `notes` lists everything
-/// that was filled in, ignored or omitted.
+/// measured columns that `subject` predicts. If the file has none of these columns, the reader
+/// keeps the first column of Expected::measured, which the subject may then reject. `notes` lists
+/// everything that was filled in, ignored or omitted.
 ///
 /// An empty cell is an error, with one exception: if the file has several measured columns, an
 /// empty cell in one of them means that there is no reading.

@@ -99,8 +99,8 @@ class Judged {
   /// Returns the input that an effect of Subject::catalogue() needs and that the model or record
   /// lacks; empty if nothing is missing.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
-  /// Returns the levels of inputs that the record lacks. Without them, parameters of the model have
-  /// almost the same influence as the effect. The text is empty if none are missing.
+  /// Returns the levels of inputs that the record lacks. Without these levels, parameters of the
+  /// model have almost the same influence as the effect. The text is empty if none are missing.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
   /// Returns faults of the record. Default: none.
   [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;

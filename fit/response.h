@@ -85,8 +85,8 @@ struct ResponseFit {
                                        const std::vector<Eigen::VectorXd>& starts);
 
 /// Runs one search from one start. Use this function for a first ranking of many fits, and repeat
-/// the best of them in full. The search stops if the predicted fall of the misfit in the next step
-/// is below 0.05, or below 1e-4 of the misfit if that is larger. A fit that stops for this reason
+/// the best fits in full. The search stops if the predicted fall of the misfit in the next step is
+/// below 0.05, or below 1e-4 of the misfit if that is larger. A fit that stops for this reason
 /// counts as converged. The response must not be affine.
 [[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
                                      const Eigen::VectorXd& measured, const Eigen::VectorXd& start);

@@ -31,7 +31,7 @@ struct Measured {
   /// that was not recorded. NaN if unknown.
   double most_scatter = unset;
   /// Declared error of the model itself [SI]. Residuals up to this size count as noise. For a model
-  /// that only approximates, they count as within the tolerance.
+  /// that only approximates, such residuals count as within the tolerance.
   double model_error = 0.0;
   /// Standard deviation of a single reading, if the model declares it [SI].
   double std = unset;

@@ -73,7 +73,7 @@ T f1_load(const BearingState<T>& s) {
 }
 
 /// Load in the middle of the range of spindle bearings [N]: F_b = 1000 N, or the P0 of about the
-/// same thrust. Fitted load exponents refer to it.
+/// same thrust. Fitted load exponents refer to this load.
 [[nodiscard]] constexpr double medium_load(F1Load load) {
   return load == F1Load::P0 ? 200.0 : 1000.0;
 }

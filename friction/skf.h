@@ -102,7 +102,7 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///   M_rr = φ_ish φ_rs R1 d_m^1.97 (F_r + F_g + R2 F_a)^0.54 (ν n)^0.6,   F_g = R3 d_m^4 n²
 ///
 /// The formula is in its published units: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]. The
-/// code converts them. F_a is the external axial load. For ceramic balls, skf_ball_factor()
+/// code converts these units. F_a is the external axial load. For ceramic balls, skf_ball_factor()
 /// multiplies R3.
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Some constants
 ///           differ in editions since 2013.
@@ -141,8 +141,8 @@ struct SkfRolling {
 ///   M_sl = μ_sl S1 d_m^0.26 ((F_r + F_g)^(4/3) + S2 F_a^(4/3)),   F_g = S3 d_m^4 n²
 ///
 /// The formula is in its published units: M_sl [N mm], d_m [mm], F [N], n [rpm]. The code converts
-/// them. μ_bl is about 0.15. μ_EHL is 0.05 with mineral oil, 0.04 with synthetic oil and 0.1 with
-/// transmission fluid.
+/// these units. μ_bl is about 0.15. μ_EHL is 0.05 with mineral oil, 0.04 with synthetic oil and 0.1
+/// with transmission fluid.
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact).
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is the moment of boundary
 ///           lubrication.

@@ -80,7 +80,7 @@ struct StribeckTable {
   [[nodiscard]] std::span<const double> row(std::size_t index) const;
 };
 
-/// Function that fills successive points of a table. Several threads call it in parallel.
+/// Function that fills successive points of a table. Several threads call the function in parallel.
 using TableLine =
     std::function<void(std::span<const bearing::OperatingPoint>, std::span<TablePoint>)>;
 

@@ -7,8 +7,9 @@
 namespace raceway::correction {
 
 /// The ambient temperature moves the machine. The displacement follows the mean of the ambient
-/// temperatures that the model does not use, with a gain and a first-order lag. Without such a
-/// temperature, the mean of the unused temperatures of the machine base replaces it.
+/// temperatures that the model does not use, with a gain and a first-order lag. Without an unused
+/// ambient temperature, the displacement follows the mean of the unused temperatures of the machine
+/// base.
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",

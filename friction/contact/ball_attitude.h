@@ -44,8 +44,8 @@ class TurningBall;
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
 /// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic
 /// moment adds a purely rotational term. So there is one solution for a given cage speed, and every
-/// Newton step descends towards it. If dry friction changes direction too sharply, the solver first
-/// smooths this change and then removes the smoothing.
+/// Newton step descends towards this solution. If dry friction changes direction too sharply, the
+/// solver first smooths this change and then removes the smoothing.
 ///
 /// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
 ///           the ball turns until its gyroscopic moment vanishes (β near 0); under boundary
@@ -66,7 +66,7 @@ class BallAttitudes {
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
   /// Solves the attitude once, with films at the cage speed of `start`, or at the cage speed of
-  /// outer control if there is no `start`. Use it inside an iteration.
+  /// outer control if there is no `start`. Use this function inside an iteration.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 

@@ -20,7 +20,7 @@ struct RollingEllipse {
 };
 
 /// Moes' load parameter M of the ellipse, for rolling_force() [1]. If M is above about 10, the
-/// contact is elastohydrodynamic. If it is much smaller, the contact is rigid and isoviscous.
+/// contact is elastohydrodynamic. If M is much smaller, the contact is rigid and isoviscous.
 ///
 ///   M = β^0.25 κ W/U^0.75,   β = (4/π) E(k)/(1 + R_x/R_z),   κ = b/a,
 ///   U = 2 η u/(E' R_x),   W = Q/(E' R_x²)

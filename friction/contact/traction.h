@@ -52,7 +52,7 @@ struct TractionSums {
 /// One integral includes spin, differential and gyroscopic sliding, because their friction forces
 /// cannot be added. The stress at each pressure is computed once. sums() then evaluates any number
 /// of v_x0, v_y0.
-/// Source:   slip field derived; for pure spin it is [Harris2006, vol. 2, ch. 5]'s moment
+/// Source:   slip field derived; for pure spin it gives the moment of [Harris2006, vol. 2, ch. 5],
 ///           (3/8) μ Q a E(k), for pure differential sliding 0.1611 μ Q ω_roll a²/(2 R).
 /// Domain:   Q > 0, ellipse small compared with the radii.
 /// Accuracy: with 16 x 32 points of the whole ellipse, 0.03 % of the power; with dry friction 0.2
@@ -65,9 +65,9 @@ class TractionField {
       points_[i] = shear.at_pressure(ellipse.peak_pressure() * grid().s[i]);
   }
 
-  /// If `whole` is true, the sums include both halves of the ellipse. If it is false, v_y0 must be
-  /// 0; the other half is then the mirror image, with equal force along rolling and no net force
-  /// across.
+  /// If `whole` is true, the sums include both halves of the ellipse. If `whole` is false, v_y0
+  /// must be 0; the other half is then the mirror image, with equal force along rolling and no net
+  /// force across.
   [[nodiscard]] TractionSums sums(const CentreSlip& centre, bool whole) const {
     const TractionSums right = half(centre, 1.0);
     if (whole) return added(right, half(centre, -1.0));
