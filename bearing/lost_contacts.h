@@ -25,7 +25,7 @@ class ContactSearch {
   /// Tries the sets that differ by one ball again, with more Newton steps for each set.
   [[nodiscard]] bool widen(RingState& state);
   /// Last resort: starts from the sets that a scan over ring positions finds (contact_scan.h), then
-  /// from sets that differ from one of them by one ball.
+  /// from sets that differ from one of these sets by one ball.
   [[nodiscard]] bool scan(RingState& state);
 
  private:

@@ -6,7 +6,7 @@
 
 #include "control/plan.h"
 
-/// Writes corrections as programs and tables that need no raceway on the control.
+/// Writes corrections as programs and tables for a control on which raceway is not installed.
 ///
 /// If all inputs are valid and within the ranges of the models, the programs give the same numbers
 /// as `correct`, except for the differences in ControlPlan::notes. Flags have the same meaning in

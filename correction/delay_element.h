@@ -21,8 +21,8 @@ namespace raceway::correction {
 /// Domain:   T is positive. A power must be x >= 0; the published lines need 0 <= P < 214.7 W. A
 ///           load may have either sign, except with a power law, which is not defined below 0.
 /// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at P = 0.
-///           The paper does not discuss this. Here K(0) = 0, so a spindle at standstill cools
-///           towards its rest position with the time constant T(0).
+///           The paper does not discuss this displacement without heat. Here K(0) = 0, so a spindle
+///           at standstill cools towards its rest position with the time constant T(0).
 struct DelayElement {
   Characteristic gain, time_constant;
   bool both_signs = false;  ///< true: the input may be negative

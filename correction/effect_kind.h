@@ -100,7 +100,7 @@ class EffectKind {
                                         const Model& model) const;
 
   /// Returns the input of the effect: its columns, or the input of the channel on which the effect
-  /// acts if it has no columns.
+  /// acts if the effect has no columns.
   [[nodiscard]] virtual Input input(const Effect& effect, const Model& model) const;
   /// Returns the columns that the effect needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;

@@ -31,12 +31,12 @@ struct CostlyEnd {
 
 /// Minimises the weighted sum of the squared residuals of means by the method of Levenberg and
 /// Marquardt, over the named parameters. A parameter has a logarithmic scale if its bounds span
-/// more than a decade; otherwise its typical size is the scale. Derivatives are differences over
-/// 0.02 of the logarithm or 0.2 of the typical size. These steps are so large that neither the
-/// tolerance of a simulation nor its step sizes disturb the derivatives. Between two sets of
-/// differences, a rank-one update corrects the derivatives (Broyden 1965). A typical fit needs two
-/// predictions for each parameter, plus four. Several threads must not use one object at the same
-/// time, because its methods share a buffer of readings.
+/// more than a decade; otherwise its typical size is the scale. Derivatives are difference
+/// quotients with a step of 0.02 on the logarithmic scale, or of 0.2 typical sizes. These steps are
+/// so large that neither the tolerance of a simulation nor its step sizes disturb the derivatives.
+/// Between two sets of differences, a rank-one update corrects the derivatives (Broyden 1965). A
+/// typical fit needs two predictions for each parameter, plus four. Several threads must not use
+/// one object at the same time, because its methods share a buffer of readings.
 class CostlyProblem {
  public:
   /// The arguments are the same as for Separable.
@@ -55,7 +55,7 @@ class CostlyProblem {
   /// absorb the missing effect, and then block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
-  /// Continues a fit of these parameters.
+  /// Continues `fit`, a fit of all parameters of this problem.
   [[nodiscard]] CostlyFit onwards(const CostlyFit& fit, const CostlyEnd& end) const;
 
  private:

@@ -88,8 +88,9 @@ struct RollingEllipse {
 ///
 /// Source:   [Aihara1987], on tapered rollers, as quoted in a published report; not checked against
 ///           the print.
-/// Domain:   L >= 0; φ = 1 at L = 0. Measured up to about L = 5. Spindle bearings reach L = 10,
-///           where the formula is extrapolated and reduces the rolling force by nearly two thirds.
+/// Domain:   L >= 0; φ = 1 at L = 0. The measurements reach about L = 5. Spindle bearings reach L =
+///           10, where the formula is extrapolated and reduces the rolling force by nearly two
+///           thirds.
 /// Trap:     above about L = 40 (flooded: 300) the product of φ and the force of a limited inlet
 ///           decreases when the viscosity increases. This decrease occurs with thick oil at the
 ///           highest speeds, where there are no measurements.
