@@ -78,7 +78,8 @@ inline constexpr std::size_t lamina_count = 41;
 ///           materials are derived (Lundberg's form is linear in k).
 /// Accuracy: within 2.5 % of a boundary element solution of strip and cylinder. Palmgren's 3.84e-5
 ///           Q^0.9/L^0.8 gives 3.4 % less approach.
-/// Trap:     35948 is for both contacts, 3.84e-5 for one.
+/// Trap:     the constant 35948 is for both contacts in series, the constant 3.84e-5 for one
+///           contact.
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
   double compliance = unset;    ///< k1 + k2 [1/Pa]

@@ -141,7 +141,7 @@ struct ControlEquation {
   double scale = 1.0;         ///< factor of y [1]
   double sampling_s = unset;  ///< equal in all equations of a plan
   std::vector<double> numerator{},
-      denominator{};  ///< [um] per unit of the drive; [1], of equal length
+      denominator{};  ///< numerator: [um] per unit of the drive; denominator: [1], of equal length
 };
 
 /// Largest allowed difference between the interval of two calls and the sampling interval, relative

@@ -79,7 +79,7 @@ struct Beyond {
 /// sum of |part - part with limited inputs| over the parts of the model. To limit the inputs, each
 /// input is first limited to its range. Then all inputs are moved towards their mean until they are
 /// inside the joint range. The result is 0 if no row is outside a range. After a row outside a
-/// range, the lags still differ for some time.
+/// range, the result stays above 0 for some time, because lags have memory.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

@@ -27,7 +27,8 @@ struct ShearResponse {
 ///           against the print. η(p) is Roelands' law.
 /// Domain:   v >= 0, p >= 0, h_c > 0; φ = 1 ignores the film (standstill).
 /// Accuracy: 30 % for the stress of a film below 1 GPa. In bearings with a full film, the rolling
-///           resistance of the oil is about 98 % of the friction, and this stress causes the rest.
+///           resistance of the oil is about 98 % of the friction, and the stress of the film causes
+///           the rest.
 struct FilmShear {
   Roelands viscosity;
   double film;               ///< h_c [m]
