@@ -36,8 +36,8 @@ struct PreloadForce {
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// Clamping travel from first contact of the two sides [m]. It equals the gap ground into the
-/// faces.
+/// Clamping travel from first contact of the two sides [m]. This travel equals the gap ground into
+/// the faces.
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
@@ -134,8 +134,9 @@ class Arrangement {
 /// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
 struct LiftOff {
   double front = unset;  ///< the front set loses its load; positive towards the tool
-  /// the rear set loses its load. The value is NaN if a spring keeps the set loaded, or if a
-  /// smaller load already dents the contacts of the front set.
+  /// the rear set loses its load. The value is NaN without a rear set (tandem), if a spring of
+  /// constant force keeps the set loaded, or if a smaller load already dents the contacts of the
+  /// front set.
   double rear = unset;
 };
 

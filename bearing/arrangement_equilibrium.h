@@ -105,8 +105,9 @@ struct ArrangementEquilibrium {
 /// and two coordinates of one ball of every bearing (thrust loads all balls equally). The balls are
 /// eliminated (Schur complement), and all derivatives are analytic. If the start from standstill or
 /// from the neighbour fails, the solver increases the squared speed, the loads and the shifts in
-/// steps (continuation). The status `no_equilibrium` means that the search found no equilibrium; it
-/// is not a proof. A free shaft, with both sets unloaded, is `singular`.
+/// steps (continuation). The status `no_equilibrium` means that the search found no equilibrium;
+/// the status does not prove that none exists. A free shaft, with both sets unloaded, is
+/// `singular`.
 ///
 /// A bearing without inner contacts carries no load, which is a valid state.
 /// Domain:   speed >= 0; a state with a set in tension is not an equilibrium.

@@ -10,7 +10,8 @@
 
 namespace raceway::bearing {
 
-/// Symmetry of the balls under a load. It determines the ring coordinates that the solver needs.
+/// Symmetry of the balls under a load. The symmetry determines the ring coordinates that the solver
+/// needs.
 enum class Symmetry {
   thrust,  ///< all balls are equal; unknowns: one ball, x
   mirror,  ///< load in the x-y plane, ball k equals ball Z - k; unknowns: half of the balls, x, y
@@ -55,7 +56,7 @@ class Balls {
   Balls() = default;
 
   /// Allocates memory for the distinct balls of a bearing with `count` balls. The solver fills
-  /// them.
+  /// these balls.
   std::span<BallEquilibrium> reset(int count, Symmetry symmetry) {
     count_ = count;
     symmetry_ = symmetry;

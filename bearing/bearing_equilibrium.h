@@ -41,9 +41,9 @@ struct BearingEquilibrium {
   Balls balls;
   /// Given rotation of each ball in balls.distinct(); empty under race control.
   std::vector<GivenRotation> rotations;
-  /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad].
-  /// It is slightly asymmetric at speed, because centrifugal and gyroscopic forces depend on the
-  /// displacement.
+  /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad]. The
+  /// matrix is slightly asymmetric at speed, because centrifugal and gyroscopic forces depend on
+  /// the displacement.
   Matrix5 stiffness = Matrix5::Constant(unset);
   SolveReport report;
 
@@ -61,15 +61,15 @@ struct BearingEquilibrium {
 /// (Schur complement), and all derivatives are analytic. For symmetric loads, the solver uses one
 /// ball (thrust) or half of the balls (load in the x-y plane). If a cold start fails, the solver
 /// follows the solution from pure thrust to the full load, and from standstill to the full speed.
-/// Under inner control it searches for the balls that have lost contact with the inner race;
-/// equilibrium_search.h describes the coverage. It returns `no_equilibrium` if no method finds a
-/// solution, or if no load presses the rings together.
+/// Under inner control, the solver searches for the balls that have lost contact with the inner
+/// race; equilibrium_search.h describes the coverage. The status is `no_equilibrium` if no method
+/// finds a solution, or if no load presses the rings together.
 ///
 /// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
-/// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice it is
-///           near the rounding error. Physical assumptions: rigid rings, quasi-static motion, race
-///           control as chosen. The cage, the film and the truncation of the contact ellipse at the
-///           edge of the groove are ignored.
+/// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice the
+///           residual is near the rounding error. Physical assumptions: rigid rings, quasi-static
+///           motion, race control as chosen. The cage, the film and the truncation of the contact
+///           ellipse at the edge of the groove are ignored.
 /// Throws std::invalid_argument for an operating point that is not finite.
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,

@@ -15,16 +15,16 @@ struct ScannedSet {
 };
 
 /// Finds inner contacts that can exist together under inner control, by a scan over ring positions.
-/// It is the last resort when statics (load_shares.h) and continuation find no equilibrium.
+/// The scan is the last resort when statics (load_shares.h) and continuation find no equilibrium.
 ///
 /// The scan moves the ring to the nodes of a grid: along the axis, along the load and, with free
 /// tilt, turned about the axis across the load. At each node the scan solves the equilibrium of
 /// each ball separately. A ball has up to three states: on the inner race at a larger or a smaller
-/// contact angle, or off it. For one ball after the other, the scan selects the state that reduces
-/// the imbalance of the ring most. The sets that occur are returned in rising order of imbalance. A
-/// set is returned with the positions at the first node at which it occurs. It is returned again
-/// for a later node if the imbalance at this node is at most 0.7 times the imbalance for which the
-/// set was returned last.
+/// contact angle, or without contact with the inner race. For one ball after the other, the scan
+/// selects the state that reduces the imbalance of the ring most. The sets that occur are returned
+/// in rising order of imbalance. A set is returned with the positions at the first node at which it
+/// occurs. A set is returned again for a later node if the imbalance at this node is at most 0.7
+/// times the imbalance for which the set was returned last.
 ///
 /// A set is a starting state, not an equilibrium. Newton's method decides whether the contacts of
 /// the set are valid.

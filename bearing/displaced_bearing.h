@@ -9,9 +9,9 @@
 namespace raceway::bearing {
 
 /// Bearing with a given displacement of the inner ring: finds the equilibrium of the balls and
-/// their forces on the ring. This is the inverse of solve_bearing_equilibrium(). Use it for one
-/// speed with many displacements and groove shifts. Each solve starts from the previous solution.
-/// The object keeps a reference to the bearing.
+/// their forces on the ring. This class is the inverse of solve_bearing_equilibrium(). Use this
+/// class for one speed with many displacements and groove shifts. Each solve starts from the
+/// previous solution. The object keeps a reference to the bearing.
 ///
 /// Domain:   speed >= 0. The grooves may be shifted, see RingShift.
 /// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the

@@ -14,9 +14,10 @@ namespace raceway::bearing {
 ///   1. Newton's method from the closed-form thrust solution,
 ///   2. under inner control, from the inner contacts that statics allows (lost_contacts.h),
 ///   3. following the solution from pure thrust to the full radial load and moment,
-///   4. following it from standstill to full speed,
-///   5. if the axial load is small, following it from the radial load without axial load,
-///   6. under inner control, from states without the least loaded balls, then more sets as in 2,
+///   4. following the solution from standstill to full speed,
+///   5. if the axial load is small, following the solution from the radial load without axial load,
+///   6. under inner control, from states in which the least loaded balls have lost the inner race,
+///      then again from the sets of step 2 that differ by one ball, with more Newton steps,
 ///   7. under inner control, from the contacts that occur on a grid of ring positions
 ///      (contact_scan.h).
 ///

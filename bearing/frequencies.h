@@ -44,8 +44,8 @@ struct BearingFrequencies {
   return nominal_frequencies(g.roller_count, g.diameter_ratio(), 0.0);
 }
 
-/// Frequencies from the running contact angles of the balls. They are means over all balls, because
-/// the orbital speeds differ under radial load and the cage averages them.
+/// Frequencies from the running contact angles of the balls. The results are means over all balls,
+/// because the orbital speeds differ under radial load and the cage averages these speeds.
 ///
 /// Domain: converged equilibrium with a loaded ball, else NaN. At standstill, the result is the
 ///         limit for slow rotation. Balls without contact are ignored.

@@ -23,9 +23,9 @@ struct BearingGeometry {
 
   /// Distance of the two groove centres without load, B D = (f_i + f_o - 1) D [m].
   [[nodiscard]] double groove_centre_distance() const;
-  /// Radius of the circle of inner groove centres, R_i = d_m/2 + (f_i - 0.5) D cos α0 [m]. It is
-  /// the lever arm of tilt and moment. (ISO/TS 16281 has the same formula; some programs use
-  /// d_m/2.)
+  /// Radius of the circle of inner groove centres, R_i = d_m/2 + (f_i - 0.5) D cos α0 [m]. This
+  /// radius is the lever arm of tilt and moment. (ISO/TS 16281 has the same formula; some programs
+  /// use d_m/2.)
   [[nodiscard]] double inner_groove_centre_radius() const;
   /// Radius of the circle of outer groove centres, R_o = d_m/2 - (f_o - 0.5) D cos α0 [m].
   [[nodiscard]] double outer_groove_centre_radius() const;

@@ -8,7 +8,7 @@
 namespace raceway::bearing {
 
 /// Finds the balls that can stay in contact with the inner race under inner control, and the
-/// positions of ring and balls. It uses statics only, without a Newton step.
+/// positions of ring and balls. The class uses statics only, without a Newton step.
 ///
 /// The axial force of the kept balls is linear in c = cos(ψ - φ), where φ is the direction of the
 /// load; with locked tilt, the slope is the one at which the ring does not tilt. For a kept ball
@@ -19,7 +19,8 @@ namespace raceway::bearing {
 /// Lo and Li are the distances from the ball centre to the outer and the inner groove centre. Axial
 /// load and moment determine f. The radial displacement follows from the condition that Σ f_r c
 /// equals the radial load. The couple τ does not decrease with the load, so only a few balls carry
-/// a light load. Their number is the smallest one that keeps the ring away from all lost balls.
+/// a light load. The number of kept balls is the smallest number that keeps the ring away from all
+/// lost balls.
 class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);

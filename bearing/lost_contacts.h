@@ -18,14 +18,14 @@ class ContactSearch {
 
   /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the worst
   /// ball on the wrong side changes sides, until no ball is on the wrong side. If a set recurs, the
-  /// search tries similar sets, beginning with the sets that fit statics best. It then starts from
-  /// the sets whose equilibrium has a ball on the wrong side, and tries sets that differ from them
-  /// by one ball.
+  /// search tries similar sets, beginning with the sets that fit statics best. The search then
+  /// starts from each set whose equilibrium has a ball on the wrong side, and tries sets that
+  /// differ from this set by one ball.
   [[nodiscard]] bool settle(RingState& state);
   /// Tries the sets that differ by one ball again, with more Newton steps for each set.
   [[nodiscard]] bool widen(RingState& state);
   /// Last resort: starts from the sets that a scan over ring positions finds (contact_scan.h), then
-  /// from sets that differ from one of them by one ball.
+  /// from sets that differ from one of these sets by one ball.
   [[nodiscard]] bool scan(RingState& state);
 
  private:

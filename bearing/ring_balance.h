@@ -288,8 +288,8 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
 }
 
 /// Largest relative error allowed when the loads are summed again from the reported balls. The
-/// solvers for a bearing and for an arrangement check it in every solve. Rounding errors are about
-/// a thousandth of this limit.
+/// solvers for a bearing and for an arrangement check this error in every solve. Rounding errors
+/// are about a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Result of a ring in equilibrium.

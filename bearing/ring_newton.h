@@ -16,11 +16,12 @@ struct NewtonLimits {
   double rise = 4.0;
 };
 
-/// Progress of the lanes. A lane is true in at most one of the masks after `taken`.
+/// Progress of the lanes. For each lane, at most one of the masks `converged`, `not_finite`,
+/// `singular` and `exhausted` is true.
 template <typename T>
 struct NewtonProgress {
-  Mask<T> taken;      ///< true: moved to the trial state; continues unless another mask is true
-  Mask<T> converged;  ///< residual within the tolerance, and smaller at the trial state
+  Mask<T> taken;      ///< trial state accepted; the lane continues unless another mask is true
+  Mask<T> converged;  ///< residual within the tolerance, or as small as rounding allows
   Mask<T> not_finite, singular, exhausted;
 };
 
@@ -28,11 +29,11 @@ struct NewtonProgress {
 /// and end at any time. A result does not depend on the other lanes.
 ///
 /// A step moves the ring by at most half the distance of the groove centres. The step is halved up
-/// to six times while it raises the merit. It is shortened if it would lift a ball off the outer
-/// race. A full step may raise the merit by the factor NewtonLimits::rise, because a ball may gain
-/// or lose contact. When a lane converges, its trial state is one Newton step beyond the accepted
-/// state. Use the trial state as the result: its error is near the rounding error. The last step is
-/// not counted.
+/// to six times while it raises the merit. The step of a single ball is shortened if it would lift
+/// this ball off the outer race. A full step may raise the merit by the factor NewtonLimits::rise,
+/// because a ball may gain or lose contact. When a lane converges, its trial state is one Newton
+/// step beyond the accepted state. Use the trial state as the result: its error is near the
+/// rounding error. The last step is not counted.
 template <typename T>
 class RingNewton {
  public:

@@ -16,8 +16,8 @@ struct RingState {
   std::vector<Plane> balls;
 };
 
-/// Memory of a solve. It is kept between solves, so that later solves need no new memory. Use one
-/// object for each thread.
+/// Memory of a solve. The memory is kept between solves, so that later solves need no new memory.
+/// Use one object for each thread.
 struct RingWorkspace {
   RingNewton<double> newton;
   RingState state;
@@ -33,8 +33,8 @@ class RingSystem {
 
   void set_point(const OperatingPoint& point);
 
-  /// Iterates from `state` to equilibrium within the tolerance. If it returns false, `state` is
-  /// undefined.
+  /// Iterates from `state` to equilibrium within the tolerance. If the function returns false,
+  /// `state` is undefined.
   [[nodiscard]] bool newton(RingState& state);
   /// Sets all of `result` except status and iterations at equilibrium.
   void fill(const RingState& state, BearingEquilibrium& result) const;
@@ -64,8 +64,8 @@ class RingSystem {
   [[nodiscard]] double weight(std::size_t k) const { return circle_.weight(static_cast<int>(k)); }
   /// Inner groove centre of ball k [m].
   [[nodiscard]] Plane groove_centre(const Vector5& ring, std::size_t k) const;
-  /// Position of a ball without inner contact. It lies against the outer race and orbits at nearly
-  /// half the shaft speed.
+  /// Position of a ball without inner contact. The ball lies against the outer race and orbits at
+  /// nearly half the shaft speed.
   [[nodiscard]] Plane thrown_ball() const;
 
   std::vector<InnerContact> contacts;  ///< fixed contacts; empty if the physical law decides

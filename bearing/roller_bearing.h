@@ -50,8 +50,9 @@ struct RollerGeometry {
 /// The message gives its name, its value with unit, and the allowed range.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
-/// Number of slices of a roller. It is fixed, because the life depends on it through the edge
-/// factor of ISO/TS 16281. It is odd, so that one slice lies in the middle.
+/// Number of slices of a roller. The number is fixed, because the life depends on the number of
+/// slices through the edge factor of ISO/TS 16281. The number is odd, so that one slice lies in the
+/// middle of the roller.
 inline constexpr std::size_t lamina_count = 41;
 
 /// Relief of a crowned roller at a distance from its middle [m].
@@ -77,7 +78,8 @@ inline constexpr std::size_t lamina_count = 41;
 ///           materials are derived (Lundberg's form is linear in k).
 /// Accuracy: within 2.5 % of a boundary element solution of strip and cylinder. Palmgren's 3.84e-5
 ///           Q^0.9/L^0.8 gives 3.4 % less approach.
-/// Trap:     35948 is for both contacts, 3.84e-5 for one.
+/// Trap:     the constant 35948 is for both contacts in series, the constant 3.84e-5 for one
+///           contact.
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
   double compliance = unset;    ///< k1 + k2 [1/Pa]

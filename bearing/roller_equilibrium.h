@@ -58,7 +58,7 @@ struct RollerEquilibrium {
   /// of roller load by additional clearance. Σ Qo has the same derivative.
   double sum_by_clearance = unset;
   /// True if there is no load and no inner contact: the position of the ring within its clearance
-  /// is undefined. This is a valid equilibrium without displacement and stiffness.
+  /// is undefined. Such a state is a valid equilibrium without displacement and stiffness.
   bool loose = false;
   SolveReport report;
 
@@ -107,9 +107,9 @@ struct RollerEquilibrium {
 class RollerBalance;
 
 /// Roller bearing with a given displacement of the inner ring: finds the equilibrium of the rollers
-/// between the raceways. It has the same five coordinates as DisplacedBearing; the axial one has no
-/// effect. Use it for many displacements and clearances. Each solve starts from the previous
-/// solution. The object keeps a reference to the bearing.
+/// between the raceways. The displacement has the five coordinates of DisplacedBearing; the axial
+/// coordinate has no effect. Use this class for many displacements and clearances. Each solve
+/// starts from the previous solution. The object keeps a reference to the bearing.
 class DisplacedRollerBearing {
  public:
   /// If `clearance` is NaN, the clearance of the geometry is used.

@@ -43,8 +43,8 @@ class ShaftSystem {
   /// shifts.
   void set_condition(const ArrangementCondition& condition, double speed_share = 1.0,
                      double load_share = 1.0);
-  /// Iterates from `state` to equilibrium within the tolerance. If it returns false, `state` is
-  /// undefined.
+  /// Iterates from `state` to equilibrium within the tolerance. If the function returns false,
+  /// `state` is undefined.
   [[nodiscard]] bool newton(ShaftState& state);
   [[nodiscard]] const ShaftAssembly& solution() const { return now_; }
 

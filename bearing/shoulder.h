@@ -22,8 +22,8 @@ namespace raceway::bearing {
 ///   θ - (α + asin(a/r))
 ///
 /// a is the half axis of the ellipse across the rolling direction. The margin is the smallest of
-/// all balls that touch. If it is below zero, the edge of the shoulder truncates the ellipse, and
-/// the pressure at the edge is higher than Hertz theory predicts.
+/// all balls that touch. If the margin is below zero, the edge of the shoulder truncates the
+/// ellipse, and the pressure at the edge is higher than Hertz theory predicts.
 /// Source:   comparison of the static ellipse with the land height, as in [Harris2006, vol. 1];
 ///           from memory, not checked against the print.
 /// Domain:   a bearing in equilibrium. For α0 = 0 (deep groove, two shoulders) |α| replaces α;
@@ -44,7 +44,8 @@ struct ShoulderMargins {
 ///
 /// Domain:   NaN without a shoulder; 0 if the edge lies below the nominal contact; infinite if no
 ///           load up to 1e8 N reaches the edge.
-/// Accuracy: 1e-9 relative. This is a limit of the geometry only: the pressure may exceed 4.2 GPa.
+/// Accuracy: 1e-9 relative. This load is a limit of the geometry only: the pressure may exceed 4.2
+///           GPa.
 struct PermissibleLoads {
   double inner = unset, outer = unset;
   /// Returns the smaller of the known values.

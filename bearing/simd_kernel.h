@@ -15,9 +15,9 @@ struct KernelBlock {
   RingReport<Eight> report;
 };
 
-/// Points with equal ball count, symmetry, ball model and free coordinates. If they do not fill the
-/// last block, the caller fills the other lanes with any point. The results of these lanes are not
-/// used.
+/// Points with equal ball count, symmetry, ball model and free coordinates. If the points do not
+/// fill the last block, the caller fills the other lanes with any point. The results of these lanes
+/// are not used.
 struct KernelCall {
   BallCircle circle;
   BallModel model;

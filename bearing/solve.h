@@ -18,7 +18,8 @@ enum class SolveStatus {
 /// Returns the name of the status in the JSON results, such as "no_equilibrium".
 [[nodiscard]] std::string_view name(SolveStatus status);
 
-/// Outcome of a solve. It starts as a failure. Only the solver turns it into a success.
+/// Outcome of a solve. A new report states a failure. Only the solver changes the report to a
+/// success.
 struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
   int iterations = 0;       ///< Newton steps, over all stages

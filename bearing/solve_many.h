@@ -28,11 +28,12 @@ struct BearingCase {
 /// one exception: under inner control one load can have several equilibria, and another instruction
 /// set can find a different one because of rounding.
 ///
-/// Newton's method solves the points in SIMD lanes, from the thrust start. Points at which it does
-/// not converge are solved like single points. Threads share the points in fixed chunks. The result
-/// of a point depends only on the point and the instruction set, to the last bit. The other points
-/// and the number of threads have no influence. Memory: the results, and a fixed amount per thread.
-/// If the results have enough memory for the balls, the function allocates no memory for them.
+/// Newton's method solves the points in SIMD lanes, from the thrust start. Points at which Newton's
+/// method does not converge are solved like single points. Threads share the points in fixed
+/// chunks. The result of a point depends only on the point and the instruction set, to the last
+/// bit. The other points and the number of threads have no influence. Memory: the results, and a
+/// fixed amount per thread. If the results have enough memory for the balls, the function allocates
+/// no memory for them.
 ///
 /// Throws std::invalid_argument for different sizes, and for points that are out of range.
 void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,

@@ -6,7 +6,7 @@
 namespace raceway::bearing {
 
 /// Approximate position of every ball under pure thrust. Other solves with an axial load > 0 start
-/// from it if there is no neighbouring solution.
+/// from this position if there is no neighbouring solution.
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]
@@ -106,8 +106,8 @@ template <typename T>
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
 /// Inner control uses the same slopes, which then neglect the change of the couple. The last step
-/// follows the slopes (sin αi to second order); the equations are not evaluated after it. Most
-/// loads need two evaluations. Returns true in the lanes with a result.
+/// follows the slopes (sin αi to second order); the equations are not evaluated after this step.
+/// Most loads need two evaluations. Returns true in the lanes with a result.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
@@ -217,7 +217,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
 /// Finds the thrust start. Lanes in which quick_thrust_start() fails solve one equation in cot αi
 /// by a bracketing secant method: the sum of the radial distances equals the radial distance of the
 /// groove centres. Returns false in lanes without a root, which have no equilibrium under pure
-/// thrust. Lanes with a root keep it while others continue.
+/// thrust. Lanes with a root keep this root while other lanes continue.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {

@@ -4,7 +4,7 @@
 
 namespace raceway::bearing {
 
-/// Throws the error of require_between().
+/// Throws std::invalid_argument with the message of require_between().
 [[noreturn]] void refuse(std::string_view name, double value, double lower, double upper,
                          double unit, std::string_view unit_name);
 

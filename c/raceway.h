@@ -10,9 +10,9 @@
 ///           fit is cut off between two characters. With NULL or a size of 0, no text is written.
 /// Threads:  several threads may call the functions at the same time, even with the same model,
 ///           because a model does not change. Call raceway_free() once for each model, after all
-///           other calls with it.
-/// Errors:   no function throws, prints or ends the program. If memory runs out, it returns 1 or
-///           NULL.
+///           other calls with this model.
+/// Errors:   no function throws, prints or ends the program. If memory runs out, a function returns
+///           1 or NULL.
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 
@@ -133,7 +133,7 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 /// Predicts the reading of a rig [N mm]: the friction torque of all its bearings (`bearings` under
 /// [rig]) with the effects of the model on the sensor. The column friction_torque_Nmm is for one
 /// bearing without these effects. The balls are solved only if the model needs them. For a model
-/// that does not need them, the function is several times faster than raceway_solve().
+/// that does not need the balls, the function is several times faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` receives
 /// `count` values. `status` receives `count` values or is NULL. A shaft is wrong input, and so is a

@@ -13,8 +13,8 @@ namespace raceway::cli {
 /// Switches off the output of say(), tell() and warn(), for `--quiet`. Errors are still printed.
 void set_quiet(bool quiet);
 
-/// Makes the program print every note and warning. By default, it prints at most three messages
-/// with the same code.
+/// Makes the program print every note and warning. By default, the program prints at most three
+/// messages with the same code.
 void show_every_message();
 
 /// Prints for each code how many notes and warnings were not printed.
@@ -36,8 +36,8 @@ void tell(const std::vector<std::string>& notes);
 void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
 
-/// Returns the receiver of the messages of a session. The receiver prints them like tell(). It also
-/// rejects files that the session reads and that are outputs of the same run.
+/// Returns the receiver of the messages of a session. The receiver prints messages like tell(). The
+/// receiver also rejects files that the session reads and that are outputs of the same run.
 [[nodiscard]] session::Messages& messages();
 
 /// Prints the reason why there is no result, even with --quiet.

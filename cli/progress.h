@@ -12,8 +12,8 @@ namespace raceway::cli {
 [[nodiscard]] std::string progress_line(double share, double elapsed, std::string_view step,
                                         std::size_t width);
 
-/// Progress bar on stderr during a long calculation. It disappears at the end. Create it only if
-/// shows_progress() returns true.
+/// Progress bar on stderr during a long calculation. The bar disappears at the end. Create a
+/// Progress only if shows_progress() returns true.
 class Progress {
  public:
   Progress();

@@ -4,8 +4,10 @@
 
 namespace raceway::cli {
 
-/// Prints the numbers of the model in the order of their influence. Numbers that contribute less
-/// than 0.1 % of the squared change of the result are omitted, unless `all` is true.
+/// Prints a table for each predicted quantity: the data of the model, largest influence first. The
+/// influence of a datum is the change of the prediction if the datum changes by its spread. Unless
+/// `all` is true, the table omits data that cause less than 0.1 % of the sum of the squared changes
+/// (and, if Sobol' indices were computed, less than 0.1 % of the variance).
 void print_sensitivity(const results::Sensitivity& sensitivity, bool all);
 
 }  // namespace raceway::cli

@@ -15,7 +15,8 @@ namespace raceway::control {
 ///
 /// Inputs are limited to the ranges of the models, because the program of a control intentionally
 /// differs from `correct` outside these ranges. The check ends before the first row in which a
-/// power leaves its range or a model has no result. It has no rows if fewer than two rows remain.
+/// power leaves its range or a model has no result. The check record has no rows if fewer than two
+/// rows remain.
 [[nodiscard]] ControlCheck check_of(const ControlPlan& plan,
                                     const std::vector<correction::Model>& models,
                                     const record::Record& record, std::size_t most_rows = 1000);
@@ -32,8 +33,8 @@ namespace raceway::control {
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// Applies allow_to_stand() to every input, with the longest time for which the record shows it
-/// constant. Returns one sentence for each change.
+/// Applies allow_to_stand() to every input, with the longest time for which this input is constant
+/// in the record. Returns one sentence for each change.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 

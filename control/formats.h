@@ -6,17 +6,17 @@
 
 #include "control/plan.h"
 
-/// Writes corrections as programs and tables that need no raceway on the control.
+/// Writes corrections as programs and tables for a control on which raceway is not installed.
 ///
 /// If all inputs are valid and within the ranges of the models, the programs give the same numbers
 /// as `correct`, except for the differences in ControlPlan::notes. Flags have the same meaning in
 /// all programs: see docs/control.md. `name` is the file name without extension, as an identifier.
 namespace raceway::control {
 
-/// Returns a program for Python 2.7 and 3. It needs only the standard library.
+/// Returns a program for Python 2.7 and 3. The program needs only the standard library.
 [[nodiscard]] std::string control_python(const ControlPlan& plan);
 
-/// Returns a C99 header, for double or float. It needs only math.h.
+/// Returns a C99 header, for double or float. The header needs only math.h.
 [[nodiscard]] std::string control_c(const ControlPlan& plan, std::string_view name);
 
 /// Returns a component of LinuxCNC's HAL in Python.

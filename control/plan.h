@@ -32,8 +32,8 @@ struct ControlInput {
   std::string unit{};        ///< "C"
   bool temperature = false;
   bool by_amount = true;  ///< true: the absolute value is used, as for speeds, feeds and coolant
-  /// Range of the input in the data of the fit; NaN if not known. For several models, it is the
-  /// intersection of their ranges.
+  /// Range of the input in the data of the fit; NaN if not known. For several models, the range is
+  /// the intersection of the ranges of the models.
   double lowest = unset, highest = unset;
   /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN means that a limit is not
   /// checked.
@@ -94,15 +94,19 @@ struct ControlSection {
   double time_constant_s = unset;
   bool straight = false;  ///< true: u is linear between samples; false: constant
   double direct = 0.0;    ///< share of gain u that acts at once, because the sensor lags
-  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios if coolant_on is 0
-  double speed_factor = 0.0, gain_power = 1.0;     ///< tau f, K f^g, f = 1/(1 + s n/10 000 rpm)
-  double falling = 1.0;                            ///< factor on tau if u is below s/gain
+  /// Factors on the gain and on the time constant while coolant_on is 0.
+  double off_gain = 1.0, off_time_constant = 1.0;
+  /// The time constant is multiplied by f = 1/(1 + speed_factor n/10 000 rpm), and the gain by
+  /// f^gain_power.
+  double speed_factor = 0.0, gain_power = 1.0;
+  /// Factor on the time constant while the drive is below the state of the section divided by gain.
+  double falling = 1.0;
 };
 
 /// A function of the drive: a line, a power law, or a table that is constant beyond its ends.
 struct ControlCurve {
   enum class Kind { line, power_law, table } kind = Kind::line;
-  double factor = 0.0;  ///< slope of a line
+  double factor = 0.0;  ///< slope of a line, or factor of a power law
   double other = 0.0;   ///< value of a line at 0, or exponent of a power law
   std::vector<double> input{}, value{};
 };
@@ -118,7 +122,7 @@ struct ControlElement {
   double from = 0.0, limit = unset;
 };
 
-/// Instant part: gain u.
+/// Instant part of a displacement: the gain times the drive.
 struct ControlFeedthrough {
   std::string channel{};
   std::size_t drive = nowhere;
@@ -137,14 +141,14 @@ struct ControlEquation {
   double scale = 1.0;         ///< factor of y [1]
   double sampling_s = unset;  ///< equal in all equations of a plan
   std::vector<double> numerator{},
-      denominator{};  ///< [um] per unit of the drive; [1], of equal length
+      denominator{};  ///< numerator: [um] per unit of the drive; denominator: [1], of equal length
 };
 
 /// Largest allowed difference between the interval of two calls and the sampling interval, relative
 /// to the sampling interval [1].
 inline constexpr double interval_tolerance = 0.05;
 
-/// Instant part: A n^(1 - B exp(-C n)).
+/// Instant part of a displacement that follows the speed n [rpm]: A n^(1 - B exp(-C n)).
 struct ControlKinematic {
   double A_um = unset, B = unset, C_per_rpm = unset;
 };

@@ -20,12 +20,12 @@ struct Band {
   ///
   ///   1.96 sqrt(gᵀ C g + b² + r²) + e
   ///
-  /// g is ∂y/∂θ, and C is the covariance of the parameters θ. b² is the sum over sensors of
-  /// (∂y/∂T1)² 2 q²/12, where T1 is the value in the first row and q the resolution. Sensors
-  /// without a visible resolution are left out. The factor 2 counts two records: the predicted
-  /// record and the record of the fit. r is the rms of the residual on held-out parts. e is the
-  /// extrapolated part of the prediction. Outside the range of the fit, the band reaches from the
-  /// value at the edge to twice the predicted change beyond the edge.
+  /// y is the predicted displacement, g is ∂y/∂θ, and C is the covariance of the parameters θ. b²
+  /// is the sum over sensors of (∂y/∂T1)² 2 q²/12, where T1 is the value in the first row and q the
+  /// resolution. Sensors without a visible resolution are left out. The factor 2 counts two
+  /// records: the predicted record and the record of the fit. r is the rms of the residual on
+  /// held-out parts. e is the extrapolated part of the prediction. Outside the range of the fit,
+  /// the band reaches from the value at the edge to twice the predicted change beyond the edge.
   ///
   /// Domain:   records that start at rest. For a warm machine, the initial states and the constant
   ///           come from the readings of the record and are assumed exact.

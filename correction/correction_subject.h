@@ -55,9 +55,10 @@ class CorrectionSubject : public fit::Subject {
   /// with coarse resolution (see correction/effects/). Call this function on a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
   /// Returns eight consecutive parts of the record with equal numbers of readings; empty for fewer
-  /// than 16 readings. If the record has several runs and an input varies mainly in one part, each
-  /// run is split into eight parts instead. A part that contains nearly all variation of an input
-  /// is never held out. If the initial state is free, the first part is not held out either.
+  /// than 16 readings. If the record has several runs and an input varies mainly in one of these
+  /// parts, each run is split into eight parts instead. A part that contains nearly all variation
+  /// of an input is never held out. If the initial state is free, the first part is not held out
+  /// either.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
   /// Unknowns that are not parameters of the model [m]: the zero of each run or clamping after the

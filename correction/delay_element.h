@@ -17,12 +17,12 @@ namespace raceway::correction {
 /// Source:   [Brecher2021, eq. 6 to 9]. The paper prints K (1 - exp(-t/T)), the step response from
 ///           rest. That form would jump when x changes. This file uses the state form, which has
 ///           the same step response and continues from the current state.
-/// Units:    K [m], T [s], x in the unit of its column: W, N.
+/// Units:    displacement u [m], K [m], T [s], x in the unit of its column: W, N.
 /// Domain:   T is positive. A power must be x >= 0; the published lines need 0 <= P < 214.7 W. A
 ///           load may have either sign, except with a power law, which is not defined below 0.
 /// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at P = 0.
-///           The paper does not discuss this. Here K(0) = 0, so a spindle at standstill cools
-///           towards its rest position with the time constant T(0).
+///           The paper does not discuss this displacement without heat. Here K(0) = 0, so a spindle
+///           at standstill cools towards its rest position with the time constant T(0).
 struct DelayElement {
   Characteristic gain, time_constant;
   bool both_signs = false;  ///< true: the input may be negative

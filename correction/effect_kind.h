@@ -100,7 +100,7 @@ class EffectKind {
                                         const Model& model) const;
 
   /// Returns the input of the effect: its columns, or the input of the channel on which the effect
-  /// acts if it has no columns.
+  /// acts if the effect has no columns.
   [[nodiscard]] virtual Input input(const Effect& effect, const Model& model) const;
   /// Returns the columns that the effect needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
@@ -125,8 +125,8 @@ class EffectKind {
 /// Returns the unit of an effect's parameter for the reader: "um/K", or "urad/K" for an angle.
 [[nodiscard]] std::string unit_of(const Effect& effect, std::size_t number, const Model& model);
 
-/// Returns the contribution of an effect that is a lag of its input with the parameters `gain` and
-/// `time_constant_s`.
+/// Returns the contribution of an effect that follows its input with a first-order lag. The
+/// parameters of the effect are `gain` and `time_constant_s`.
 [[nodiscard]] DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect,
                                        const Model& model);
 

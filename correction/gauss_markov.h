@@ -38,9 +38,9 @@ struct Unknown {
 ///
 ///   k(t, t') = sum_j h_j(t) h_j(t') s_j² exp(-|t - t'|/T_j)
 ///
-/// With infinite T_j, it is recursive least squares with a ridge r²/s².
+/// With infinite T_j, the filter is recursive least squares with a ridge r²/s².
 ///
-/// Source:   derivation above. Tests compare it with the dense solution of the regression.
+/// Source:   derivation above. Tests compare the filter with the dense solution of the regression.
 /// Units:    x_j and h_j may have any units whose product is the unit of y.
 /// Domain:   s_j, T_j, r > 0; time must not go back.
 /// Trap:     if an unknown exceeds its bound after a reading, it is set to the bound, and the other

@@ -66,8 +66,8 @@ struct Identification {
   [[nodiscard]] bool is_bank() const { return !strengths.empty(); }
 };
 
-/// Returns a new channel that this column drives, without sections. Its name comes from the name of
-/// the column and differs from the channel names of `model`.
+/// Returns a new channel that this column drives, without sections. The name of the channel comes
+/// from the name of the column and differs from the channel names of `model`.
 [[nodiscard]] DrivenChannel driven_by(const Channel& column, const Model& model);
 
 /// Identifies the number of sections, the inputs and the parameters of a model from a record. Gains

@@ -52,7 +52,8 @@ struct IdentificationDue {
   std::string reason{};
 };
 
-/// Rms error over the readings that were not offered, from the first learned reading on [m].
+/// Rms error over the readings that were not offered and that follow the first learned reading of
+/// their run [m].
 struct ErrorBetween {
   std::size_t readings = 0;
   /// Model without learning; its zero comes from the first reading of each run.
@@ -63,7 +64,7 @@ struct ErrorBetween {
 
 struct Learning {
   std::vector<double> predicted{};  ///< at every row, from earlier readings only [m]
-  std::vector<double> std{};  ///< std of the prediction [m]; NaN before the first reading of a run
+  std::vector<double> std{};  ///< std of the prediction [m]; NaN up to the first reading of a run
   std::vector<OfferedReading> readings{};
   std::vector<LearntGain> gains{};
   std::vector<IdentificationDue> due{};
@@ -105,7 +106,7 @@ struct Learning {
 /// the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. Sizes and times are our choice, based on the record of
-///           docs/correction.md with models from three initial parts of it.
+///           docs/correction.md with models from three initial parts of this record.
 /// Domain:   records over time. A lag is added to a channel only if the model contains the range of
 ///           its input.
 /// Accuracy: the standard deviation depends on the sizes and times assumed above.

@@ -32,7 +32,7 @@ struct Window {
   const Channel* column = nullptr;  ///< position of the axis
   std::array<double, 4> points{};   ///< rising positions [SI]; infinite on a side without an edge
   /// True if the window scales the input before the lags, for heat that arises in the window. False
-  /// if it scales the displacement, for a body that moves the tool only in the window.
+  /// if the window scales the displacement, for a body that moves the tool only in the window.
   bool of_input = false;
 
   [[nodiscard]] double operator()(double position) const;

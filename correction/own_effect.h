@@ -10,9 +10,9 @@
 
 namespace raceway::correction {
 
-/// User-defined effect: a formula of the columns of a record, in the units of the files. The effect
-/// changes y to y + K/(1 + tau s) f(columns, parameters). Without a time constant, the effect acts
-/// instantly.
+/// User-defined effect: a formula f of the columns of a record, in the units of the files. The
+/// effect adds K/(1 + tau s) f(columns, parameters) to the displacement: f with the gain K and a
+/// first-order lag. Without a time constant, there is no lag.
 ///
 /// If the formula contains a temperature, the value of the formula in the first row of each run is
 /// subtracted, as for temperatures. The formula uses the columns as recorded, so speeds and feeds

@@ -9,8 +9,9 @@
 namespace raceway::correction {
 
 /// Returns the resolution of a column [SI], which is one step of its last digit: the smallest
-/// difference between two values, if all other differences are multiples of it. Otherwise the
-/// result is NaN. The result is also NaN for fewer than three or more than 2000 different values.
+/// difference between two values, if all other differences are multiples of the smallest one. If
+/// the other differences are not multiples, the result is NaN. The result is also NaN for fewer
+/// than three or more than 2000 different values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
 /// Longest time step within a record, in multiples of the usual step. A longer step is a gap

@@ -20,8 +20,8 @@ void see(Model& model, const record::Record& record);
 /// fitted parameters, and the size of the residual.
 [[nodiscard]] Model trusted(const verdict::Calibration& found, const record::Record& record);
 
-/// Removes all information that comes from another record: ranges, covariance, residual and
-/// evidence.
+/// Removes from the model the results of its fit to another record: ranges, covariance, residual
+/// and evidence.
 void forget_what_was_seen(Model& model);
 
 /// Returns the range in the data of the fit: of a column [SI] (absolute values of speeds, feeds and
@@ -75,11 +75,11 @@ struct Beyond {
 };
 [[nodiscard]] Beyond beyond_range(const Model& model, const Series& series);
 
-/// Returns the extrapolated part of the prediction at every row [m]. This amount is the sum of
-/// |part - part with limited inputs| over the parts of the model. To limit the inputs, each input
-/// is first limited to its range. Then all inputs are moved towards their mean until they are
+/// Returns the extrapolated part of the prediction at every row [m]. The extrapolated part is the
+/// sum of |part - part with limited inputs| over the parts of the model. To limit the inputs, each
+/// input is first limited to its range. Then all inputs are moved towards their mean until they are
 /// inside the joint range. The result is 0 if no row is outside a range. After a row outside a
-/// range, the lags still differ for some time.
+/// range, the result stays above 0 for some time, because lags have memory.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

@@ -7,7 +7,7 @@
 namespace raceway::correction {
 
 /// Multiple linear regression: a displacement as a linear combination of temperatures, without
-/// memory. Many controls use this model. In raceway, it is a baseline for comparison.
+/// memory. Many controls use this model. In raceway, regression is a baseline for comparison.
 struct Regression {
   Eigen::VectorXd coefficients{};  ///< one for each column
   double rms = unset;              ///< rms residual, in the unit of the readings

@@ -9,15 +9,16 @@
 
 namespace raceway::correction {
 
-/// Contribution to the displacement that is a lag of an input or proportional to the input.
+/// Contribution to the displacement that follows an input, with a first-order lag or instantly.
 struct DrivenShare {
   Input input{};
   double gain = 0.0;             ///< [um] per unit of the input in text (Input::unit())
   double time_constant = unset;  ///< [s]; NaN: instant
 };
 
-/// Contribution of a motor that heats up or cools down with the spindle. It is a lag whose input is
-/// exp(-n/n0) while the spindle turns, and 0 at standstill.
+/// Contribution of a motor that heats up or cools down with the spindle. The contribution follows
+/// exp(-n/n0) with a first-order lag while the spindle turns. At standstill, the input of the lag
+/// is 0.
 struct MotorShare {
   double gain = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]

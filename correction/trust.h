@@ -24,8 +24,8 @@ struct Trust {
 /// ...", "not known: ...".
 [[nodiscard]] std::string line_of(const Trust& trust);
 
-/// Returns the rms of the readings after subtracting the mean of each run [m]. This is the error
-/// without a correction.
+/// Returns the rms of the readings after subtracting the mean of each run [m]. This rms is the
+/// error without a correction.
 [[nodiscard]] double uncorrected_rms(const Model& model, const record::Record& record);
 
 /// Returns the evidence from the record to which a model was fitted. `error` is the rms error on

@@ -9,7 +9,7 @@
 namespace raceway::effects {
 
 /// Growth of the inner ring with the square of speed, for rigs and shafts. Unlike thermal-preload,
-/// it follows the speed without lag.
+/// this growth follows the speed without lag.
 ///
 ///   x = c (n/10 000 rpm)²
 ///

@@ -31,7 +31,7 @@ inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle}
 /// Returns the name in files: "rig", "shaft" or "spindle".
 [[nodiscard]] std::string_view name(Form form);
 
-/// Parameter of an effect, in the unit of the files. The effect converts it to SI.
+/// Parameter of an effect, in the unit of the files. The effect converts the value to SI.
 using Parameter = record::NumberCard;
 
 /// Data that the model and its record must have before an effect can be tested or fitted.
@@ -59,7 +59,8 @@ enum class Need {
 /// row".
 [[nodiscard]] std::string text(const record::Channel& channel);
 
-/// Returns the supplies in words: "an oil jet or an oil bath". Any one of them is sufficient.
+/// Returns the supplies in words: "an oil jet or an oil bath". Any one of these supplies is
+/// sufficient.
 [[nodiscard]] std::string text(std::span<const friction::Supply> supplies);
 
 /// Values recorded with a row in addition to its operating point; NaN if not recorded.
@@ -137,7 +138,7 @@ struct LubricantInputs {
   const BaseLaw& base;
 };
 
-/// Lubricant at the contacts, after the effects on it.
+/// Lubricant at the contacts, including the changes by effects on the lubricant.
 struct Film {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double temperature = unset;          ///< [K]
@@ -218,15 +219,17 @@ struct Requirements {
   }
 };
 
-/// Base laws that already contain an effect, and bearings that do not have it.
+/// Base laws that already contain an effect, and bearings that do not have the effect.
 struct Exclusions {
   /// Text with the keys of the contact law that replace the effect, if the contact law already
   /// contains the effect. Empty if the effect may be added to the contact law.
   std::string_view within_contacts = {};
   /// True: the contact law contains the effect if oil_fraction > 0.
   bool within_oil_fraction = false;
-  /// True: the effect changes the viscous moment, which a friction table does not separate from the
-  /// rest. Effects on the lubricant and corrections of the base law need no flag.
+  /// True: the effect changes the viscous moment. Such an effect is not allowed with the law
+  /// `table`, because a friction table need not separate the viscous moment from the rest. Effects
+  /// on the lubricant and corrections of the base law are never allowed with this law and need no
+  /// flag.
   bool of_viscous_moment = false;
   /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
   /// that use ball loads may leave this text empty: rollers never have such effects.
@@ -242,8 +245,8 @@ struct Nature {
   /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
   /// is for 60 mm. With an exponent of 0, the range is the same for bearings of all sizes.
   double size_power = 0.0;
-  /// True if the effect increases and decreases as the machine warms up and cools down. Its
-  /// dependence on temperature, or its lag, separates such an effect from other effects.
+  /// True if the effect increases and decreases as the machine warms up and cools down. The
+  /// dependence on temperature, or the lag, separates such an effect from other effects.
   bool follows_heat = false;
   bool base_law = false;   ///< true: corrects an exponent of the base law
   bool empirical = false;  ///< true: a shape without a physical law
@@ -266,13 +269,13 @@ struct Actions {
   /// Changes viscosity or viscous share. Several effects act in the order of the catalogue.
   void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
   /// Does the same as `lubricant` by Newton's method from `temperature`, if the tangents of the
-  /// contact moment are known. Returns false if it finds no solution.
+  /// contact moment are known. Returns false if the method finds no solution.
   bool (*lubricant_by_tangents)(const LubricantInputs&, std::span<const double> values,
                                 double temperature, const TangentAbout&, Film&) = nullptr;
   /// Added friction moment of one bearing [N m].
   double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
-  /// Friction moment per unit of the parameter. It replaces `moment` if the moment is proportional
-  /// to a single parameter [N m per unit].
+  /// Friction moment per unit of the parameter. `unit_moment` replaces `moment` if the moment is
+  /// proportional to a single parameter [N m per unit].
   double (*unit_moment)(const MomentInputs&) = nullptr;
   const OwnMoment* user_made = nullptr;  ///< the moment of a user-made effect
   /// Value that is added to the reading of `channel` [SI].

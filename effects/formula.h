@@ -13,21 +13,21 @@ namespace raceway::effects {
 
 using record::FormulaError;
 
-/// A user-made friction moment. Several threads may call it at the same time.
+/// A user-made friction moment. Several threads may call the moment at the same time.
 class OwnMoment {
  public:
   virtual ~OwnMoment() = default;
   /// Returns the friction moment [N m].
   [[nodiscard]] virtual double moment(const MomentInputs& inputs,
                                       std::span<const double> values) const = 0;
-  /// Returns true if a model file can store the moment. This is true for a formula, and false for a
-  /// function of a program.
+  /// Returns true if a model file can store the moment. The result is true for a formula, and false
+  /// for a function of a program.
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 
 /// A user-made friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2" in
 /// N mm. The formula may use the names in variables() and the parameters of the effect, with the
-/// operators and functions of muParser. Several threads may evaluate it at the same time.
+/// operators and functions of muParser. Several threads may evaluate the formula at the same time.
 class Formula : public OwnMoment {
  public:
   /// Throws FormulaError for an invalid formula, and for a name that is neither a variable nor a

@@ -14,8 +14,9 @@ namespace raceway::effects {
 ///
 ///   u = (d/d_i) I/2,   I = max(I0 - (3 + ν) ρ ω² d d_i²/(16 E), 0)
 ///
-/// The bore is d, and the diameter of the inner raceway is d_i = d_m - D cos α0. At an entered
-/// axial load, the growth changes the contact angle: cos α0 -> cos α0 + u/(B D).
+/// I0 is the interference at standstill, and I the interference at speed. The bore is d, and the
+/// diameter of the inner raceway is d_i = d_m - D cos α0. At an entered axial load, the growth
+/// changes the contact angle: cos α0 -> cos α0 + u/(B D).
 /// Source:   derived from Lamé for a ring of rectangular section on a solid shaft of the same
 ///           material. The second term of I is the growth of the bore relative to the shaft at
 ///           speed. The centrifugal growth of the raceway is a separate effect.

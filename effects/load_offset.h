@@ -12,7 +12,7 @@ namespace raceway::effects {
 ///
 ///   F_a -> F_a + c
 ///
-/// Source:   definition, for example of a spring set, a zero error of the load cell, or a belt.
+/// Source:   definition. Possible causes: a spring set, a zero error of the load cell, a belt.
 /// Domain:   F_a + c is not below zero.
 struct LoadOffset {
   static constexpr std::string_view id = "load-offset";

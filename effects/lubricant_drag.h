@@ -15,8 +15,8 @@ namespace raceway::effects {
 ///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants depend on
 ///           the oil level; c replaces them.
 /// Domain:   every speed. The law is for an oil bath, and for an oil jet, which has twice the drag
-///           according to SKF. It is not for oil-air and worked-in grease, because the balls do not
-///           push oil drops or such grease aside.
+///           according to SKF. The law is not for oil-air and worked-in grease, because the balls
+///           do not push oil drops or such grease aside.
 struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";
   static constexpr std::string_view title = "drag of balls and cage in the lubricant";

@@ -14,8 +14,8 @@ namespace raceway::effects {
 ///   M = μ φ_bl S1 d_m^0.26 (F_r^(4/3) + S2 F_a^(4/3)),   φ_bl = exp(-2.6e-8 (ν n)^1.4 d_m)
 ///
 /// The formula is in its published units: M [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]. The code
-/// converts them. μ is the coefficient of boundary friction minus the coefficient of the full film,
-/// 0.05 to 0.12. d_m is the mean of bore and outer diameter.
+/// converts these units. μ is the coefficient of boundary friction minus the coefficient of the
+/// full film, 0.05 to 0.12. d_m is the mean of bore and outer diameter.
 /// Source:   φ_bl, S1 = 1.30e-2 and S2 = 0.68 of the sliding moment in [SKFGeneral, p. 91-101].
 ///           S1 and S2 are for bearings of 40 deg, see friction/skf.h.
 /// Domain:   speed >= 0; φ_bl is 1 at standstill and 0 with a full film.

@@ -8,12 +8,14 @@
 
 namespace raceway::effects {
 
-/// Friction with the forces of the warm sets instead of the forces of the cold sets.
+/// Friction that follows the preload of the warm sets.
 ///
 ///   P = (1 - s) P(cold) + s P(warm)
 ///
-/// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the share s between the
-///           two models is derived.
+/// P is the friction power of a bearing. A share s of P is calculated with the forces of the warm
+/// sets, and the rest with the forces of the cold sets.
+/// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the interpolation by s
+///           is derived.
 /// Domain:   0 <= s <= 1, for a model with preload_feedback = false. With s = 1, the friction
 ///           depends only on the forces of the warm sets.
 struct PreloadGrowth {

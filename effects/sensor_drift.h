@@ -11,8 +11,8 @@ namespace raceway::effects {
 ///
 ///   x_read = x + c (T - T0)/10 K
 ///
-/// Source:   definition. T0 is the temperature at which the sensor was zeroed. It is rarely
-///           recorded, so it is fitted within the temperature range of the record.
+/// Source:   definition. T0 is the temperature at which the sensor was zeroed. T0 is rarely
+///           recorded, so the fit finds T0 within the temperature range of the record.
 /// Domain:   every reading. T is the temperature of the row (temperature_C), not a ring
 ///           temperature.
 template <const auto& card>

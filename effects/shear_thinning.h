@@ -13,6 +13,7 @@ namespace raceway::effects {
 ///
 ///   (1 + (n/n_c)²)^-p
 ///
+/// n_c is the speed at which the thinning begins.
 /// Source:   the Carreau law for viscosity as a function of shear rate, with a shear rate
 ///           proportional to speed. p combines two exponents: it is (1 - m)/2 times the exponent of
 ///           the viscosity in the moment. Flow exponents m of 0.6 to 0.9 give p up to about 0.15.

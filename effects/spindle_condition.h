@@ -26,8 +26,8 @@ struct SpindleCondition {
   /// Conductance of a cooled sleeve that the model lacks, from the housing to the coolant inlet, or
   /// to the ambient without coolant [W/K].
   double sleeve_conductance = 0.0;
-  /// Extent of that sleeve [1]. With 0, the sleeve lies only between the sets. With 1, it reaches
-  /// over the bearings up to their outermost faces.
+  /// Extent of that sleeve [1]. With 0, the sleeve lies only between the sets. With 1, the sleeve
+  /// reaches over the bearings up to the outermost bearing faces.
   double sleeve_reach = 1.0;
   /// Temperature rise of the machine at the flange [K], and its time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;

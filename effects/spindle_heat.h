@@ -22,6 +22,7 @@ struct SpindleHeatCard {
 ///
 ///   q = W n/10 000 rpm
 ///
+/// W is the heat at 10 000 rpm.
 /// Source:   a constant moment. Losses in a rotor and in air grow with a higher power of the speed.
 /// Domain:   speed >= 0, zero at standstill. The heat is added to the heat sources of the model.
 template <const auto& card>

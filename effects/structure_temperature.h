@@ -13,6 +13,7 @@ namespace raceway::effects {
 ///
 ///   T_machine -> T_machine + R (1 - exp(-t/τ))
 ///
+/// R is the final difference, and τ the time constant.
 /// Source:   definition: a large body approaches a new temperature with one time constant.
 /// Domain:   t is the time from the start of the record; R may have either sign.
 struct StructureTemperature {

@@ -16,6 +16,7 @@ namespace raceway::effects {
 ///
 ///   M_read = M + c (s + (1 - s) (n/10 000 rpm)^(2/3))
 ///
+/// c is the moment of the support bearings at 10 000 rpm, and s the constant share of c.
 /// Source:   constant and viscous part of Palmgren's moment [Palmgren1959]. Load and temperature of
 ///           the support bearings are assumed constant.
 /// Domain:   n >= 0, 0.1 <= s <= 0.7: with only a constant part, the effect would equal

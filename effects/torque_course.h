@@ -17,7 +17,7 @@ namespace raceway::effects {
 ///
 ///   M_read = M + c t/1 h
 ///
-/// Source:   definition, for example an amplifier that warms up or a sensor that is zeroed each
+/// Source:   definition. Possible causes: an amplifier that warms up, a sensor that is zeroed each
 ///           morning.
 /// Domain:   needs the time of every row. t begins at the start of the day. If the record shows no
 ///           pause, t begins at the start of each load sweep (Record::since_start).
@@ -58,7 +58,7 @@ struct TorqueCreep {
 ///
 ///   M_read = M + c/2  speed reached from below,   M - c/2  from above
 ///
-/// Source:   definition, for example a sensor with hysteresis or a support that sticks.
+/// Source:   definition. Possible causes: a sensor with hysteresis, a support that sticks.
 /// Domain:   needs the time of every row. The first speed of a run counts as reached from below
 ///           (Record::direction).
 struct SpeedHysteresis {

@@ -52,7 +52,7 @@ struct NamedChannel {
 /// measured, except temperatures of the surroundings.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
-/// One line of [columns]. It states the source of one channel.
+/// One line of [columns]. The line states the source of one channel.
 struct ColumnRule {
   std::string key;                   ///< as written in [columns]: "friction_torque_Nmm"
   const record::Channel* channel;    ///< channel that the key names

@@ -24,7 +24,8 @@ struct DisplacementCurve {
 /// rows. `notes` lists the columns and rows that were not read.
 ///
 /// Throws InputError like read_csv(), for a missing column, and for every other cell of the read
-/// columns that is empty, not a number or impossible. One message lists all these cells.
+/// columns that is empty, not a number or impossible. One message shows the first ten of these
+/// cells and counts the others.
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 

@@ -8,14 +8,14 @@
 
 namespace raceway::files {
 
-/// Reads a friction table of a bearing or a spindle, from `raceway table` or from a rig. Its
-/// columns are speed_rpm, axial_load_N, radial_load_N, temperature_C and friction_torque_Nmm, or
-/// the same columns in other units. If the file has no column for a load or for the temperature,
-/// the torque does not depend on it. The band of the torque may be in friction_torque_band_Nmm
-/// (half width, 95 %) or std_Nmm (standard deviation), and the load-dependent part of the torque in
-/// load_Nmm. Further columns are allowed. Throws InputError if the speed, the torque or a point of
-/// the grid is missing, if a point occurs twice, for two columns with a band, for a slab of a
-/// table, and for cells that are not numbers.
+/// Reads a friction table of a bearing or a spindle, from `raceway table` or from a rig. The
+/// columns of the table are speed_rpm, axial_load_N, radial_load_N, temperature_C and
+/// friction_torque_Nmm, or the same columns in other units. If the file has no column for a load or
+/// for the temperature, the torque does not depend on this quantity. The band of the torque may be
+/// in friction_torque_band_Nmm (half width, 95 %) or std_Nmm (standard deviation), and the
+/// load-dependent part of the torque in load_Nmm. Further columns are allowed. Throws InputError if
+/// the speed, the torque or a point of the grid is missing, if a point occurs twice, for two
+/// columns with a band, for a slab of a table, and for cells that are not numbers.
 [[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,
                                                          const std::string& source);
 

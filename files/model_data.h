@@ -53,7 +53,8 @@ class ModelData {
   std::vector<ModelDatum> data_;
 };
 
-/// Spread of a number as the user writes it: "0.01" in the unit of the number, or "10%" of it.
+/// Spread of a number as the user writes it: "0.01" in the unit of the number, or "10%" of the
+/// number.
 struct SpreadText {
   std::string name;
   std::string text;

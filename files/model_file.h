@@ -61,14 +61,14 @@ struct KeyValue {
 };
 
 /// Returns the text with these values. Comments, order and blanks do not change. A missing key with
-/// a default is added to its table. If the text is read again, it gives exactly these values.
-/// Throws InputError if the text is not TOML or lacks the [[effect]], and std::invalid_argument for
-/// a value that is not finite.
+/// a default is added to its table. A model that is read from the new text has exactly these
+/// values. Throws InputError if the text is not TOML or lacks the [[effect]], and
+/// std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
-/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. If the
-/// text is read again, it gives exactly this effect. Throws std::invalid_argument for a value that
-/// is not finite.
+/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. A model
+/// that is read from the new text has exactly this effect. Throws std::invalid_argument for a value
+/// that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
 /// Returns the text of a file with the numbers of `fitted`: every number of model::parameters() at

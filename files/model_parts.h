@@ -5,8 +5,8 @@
 
 namespace raceway::files {
 
-/// Kinds of tables in a model file. They are empty if the text is not TOML; the reader of the model
-/// then reports the error.
+/// Kinds of tables in a model file. All members are empty if the text is not TOML; the reader of
+/// the model then reports the error.
 struct ModelParts {
   bool bearing = false;                      ///< true: the file has a table [bearing]
   std::vector<std::string> displacements{};  ///< names in [correction] or in each [[correction]]

@@ -8,9 +8,9 @@
 /// Writers of Stribeck tables for other programs. Raceway does not read these files.
 namespace raceway::files {
 
-/// Returns a table as CSV with one header line. Its column names are valid identifiers
-/// (spin_friction_Nmm). pandas and MATLAB read it without options. A point without a value has NaN,
-/// which both programs read as a number. Everything else is as in table_text().
+/// Returns a table as CSV with one header line. The column names are valid identifiers
+/// (spin_friction_Nmm). pandas and MATLAB read the file without options. A point without a value
+/// has NaN, which both programs read as a number. Everything else is as in table_text().
 [[nodiscard]] std::string plain_table_text(const friction::StribeckTable& table);
 
 /// Returns the friction torque as a text file for Modelica.Blocks.Tables.CombiTable2Ds, in SI: u1

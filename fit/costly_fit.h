@@ -20,23 +20,23 @@ struct CostlyFit {
 
 /// Stopping rule of a fit.
 struct CostlyEnd {
-  double settled = 1e-4;  ///< relative fall of the misfit that counts as no progress
+  double settled = 1e-4;  ///< a smaller relative fall of the misfit counts as no progress
   /// A fit with a larger misfit than this value ends without exact derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
   /// True if the fit stops as soon as exact or approximate derivatives predict a relative fall
-  /// below `settled`. Such a fit takes the last step by extrapolation, without a prediction. Its
-  /// misfit approximates the misfit of a full fit.
+  /// below `settled`. Such a fit takes the last step by extrapolation, without a prediction. The
+  /// misfit of such a fit approximates the misfit of a full fit.
   bool rough = false;
 };
 
 /// Minimises the weighted sum of the squared residuals of means by the method of Levenberg and
 /// Marquardt, over the named parameters. A parameter has a logarithmic scale if its bounds span
-/// more than a decade; otherwise its typical size is the scale. Derivatives are differences over
-/// 0.02 of the logarithm or 0.2 of the typical size. These steps are so large that neither the
-/// tolerance of a simulation nor its step sizes disturb the derivatives. Between two sets of
-/// differences, a rank-one update corrects the derivatives (Broyden 1965). A typical fit needs two
-/// predictions for each parameter, plus four. Several threads must not use one object at the same
-/// time, because its methods share a buffer of readings.
+/// more than a decade; otherwise its typical size is the scale. Derivatives are difference
+/// quotients with a step of 0.02 on the logarithmic scale, or of 0.2 typical sizes. These steps are
+/// so large that neither the tolerance of a simulation nor its step sizes disturb the derivatives.
+/// Between two sets of differences, a rank-one update corrects the derivatives (Broyden 1965). A
+/// typical fit needs two predictions for each parameter, plus four. Several threads must not use
+/// one object at the same time, because its methods share a buffer of readings.
 class CostlyProblem {
  public:
   /// The arguments are the same as for Separable.
@@ -55,7 +55,7 @@ class CostlyProblem {
   /// absorb the missing effect, and then block the candidate.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
-  /// Continues a fit of these parameters.
+  /// Continues `fit`, a fit of all parameters of this problem.
   [[nodiscard]] CostlyFit onwards(const CostlyFit& fit, const CostlyEnd& end) const;
 
  private:

@@ -41,7 +41,7 @@ struct Isolated {
 /// speed and a lasting jump are not isolated readings. At any speed, a reading is isolated if its
 /// distance from both neighbours exceeds `by.impossible` times the range of the readings (without
 /// two readings, or the outermost 1 %, at either end). If both rules together would remove more
-/// than a tenth of the readings, none is removed.
+/// than a tenth of the readings, none is removed. Fewer than 30 readings are not tested.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record);
 
 /// Removes isolated readings of the given channel. If `predicted` gives a value for each row, the

@@ -31,8 +31,8 @@ struct Saturation {
   Surface surface{};
   std::vector<const Channel*> levels{};  ///< inputs with one free value for each level
   bool levels_before_candidates = false;
-  /// True if every candidate changes the readings in proportion to its size. The scores then
-  /// describe a candidate completely.
+  /// True if every candidate changes the readings in proportion to its size. Screened::scores then
+  /// describes a candidate completely.
   bool proportional = false;
 };
 
@@ -86,7 +86,7 @@ struct Blocking {
   int blocks = 0;
   std::vector<std::string> untold{};  ///< names of the inputs that vary only outside all blocks
   bool ordered =
-      false;  ///< true: blocks are ordered by an input, so the first and last are its extremes
+      false;  ///< true: blocks are ordered by an input; the first and last have its extremes
 };
 
 /// Judges the records of a model and proposes the next measurements. All rows refer to the record
@@ -99,8 +99,8 @@ class Judged {
   /// Returns the input that an effect of Subject::catalogue() needs and that the model or record
   /// lacks; empty if nothing is missing.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
-  /// Returns the levels of inputs that the record lacks. Without them, parameters of the model have
-  /// almost the same influence as the effect. The text is empty if none are missing.
+  /// Returns the levels of inputs that the record lacks. Without these levels, parameters of the
+  /// model have almost the same influence as the effect. The text is empty if none are missing.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
   /// Returns faults of the record. Default: none.
   [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
@@ -127,7 +127,8 @@ class Judged {
 
   // Next measurements.
   /// Returns the axes for the next measurements. Default: the range of every setting. The result is
-  /// empty if single points carry no information.
+  /// empty if the model has no use for single points, for example if a reading depends on earlier
+  /// rows.
   [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
   /// Describes a point. Default: "995 rpm, 100 N".
   [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;

@@ -5,7 +5,8 @@
 
 namespace raceway::fit {
 
-/// Likelihood of the readings for a fit, with normally distributed noise of covariance S.
+/// Likelihood L of the readings for a fit, with the residuals e and normally distributed noise of
+/// covariance S.
 ///
 ///   -2 ln L = χ² + ln det(2 π S),   χ² = eᵀ S^-1 e
 ///   AIC = -2 ln L + 2 k      [Akaike1974]

@@ -14,13 +14,13 @@ namespace raceway::fit {
 ///
 ///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
-/// The input n is the swept input. In general, a_i = 1. The number b_i is the change of reading i
-/// when an input changes by the width of a level. Both a and b are divided by their rms. The
-/// correlation is described in Whitening. For means over dwells, a_i comes from the scatter within
-/// the dwell, and this part of the noise is independent of other readings. Declared standard
-/// deviations replace the whole sum. The noise is estimated from the residuals of a saturated
-/// regression. The misfit of a physical model is never used, because missing physics would then
-/// appear as noise.
+/// s_i is the standard deviation of reading y_i. The input n is the swept input. In general, a_i is
+/// 1. The number b_i is the change of reading i when an input changes by the width of a level.
+/// Both a and b are divided by their rms. The correlation is described in Whitening. For means over
+/// dwells, a_i comes from the scatter within the dwell, and this part of the noise is independent
+/// of other readings. Declared standard deviations replace the whole sum. The noise is estimated
+/// from the residuals of a saturated regression. The misfit of a physical model is never used,
+/// because missing physics would then appear as noise.
 struct NoiseModel {
   /// Standard deviation relative to the reading, at the largest value of the swept input [1].
   double relative = 0.0;
@@ -104,10 +104,11 @@ struct ChannelReadings {
 
 /// Estimates the noise from the saturated regression `columns` (SI, full rank) by restricted
 /// maximum likelihood. `size` is a typical size of each reading [SI, > 0]; it affects only the
-/// first weights. Outliers get a weight that falls with their distance. An outlier is a reading as
-/// improbable as one beyond 3.5 standard deviations of a known normal distribution. Outliers add no
-/// degree of freedom. The function tests for growth of the scatter with the swept input before it
-/// calls a reading an outlier. Readings that gather at one level of a setting are not outliers.
+/// first weights. Outliers get a weight that falls with their distance. An outlier is a reading at
+/// least as improbable as a reading beyond 3.5 standard deviations of a known normal distribution.
+/// Outliers add no degree of freedom. The function tests for growth of the scatter with the swept
+/// input before it calls a reading an outlier. Readings that gather at one level of a setting are
+/// not outliers.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,

@@ -29,7 +29,7 @@ struct Observations {
   }
   /// Returns the column value at every observation.
   [[nodiscard]] Eigen::VectorXd at(std::span<const double> column) const;
-  /// Returns the observations of some channels only.
+  /// Returns only the observations of the channels in `wanted`.
   [[nodiscard]] Observations only(std::span<const std::size_t> wanted) const;
   /// Returns the index of each observation in the readings that a Predictor writes for a record of
   /// `rows` rows.

@@ -68,7 +68,8 @@ struct Problem {
                                                             const Response& response,
                                                             const Eigen::VectorXd& values);
 
-/// Returns the candidates with these ids (all if empty), with the information that needs no data.
+/// Returns the candidates with these ids; all candidates if `ids` is empty. Screened::scores and
+/// the other members that need readings are still empty.
 [[nodiscard]] std::vector<Screened> make_candidates(const Subject& subject,
                                                     std::span<const std::string> ids);
 

@@ -21,7 +21,7 @@ struct ProfileInterval {
 
 /// 95 % interval of one parameter by profile likelihood, in the units of the file:
 ///
-///   χ²(value) - χ²(least) = 3.84 factor²
+///   χ²(value) - χ²(fitted value) = 3.84 factor²
 ///
 /// All other parameters are fitted again at every value [BatesWatts1988, ch. 6;
 /// VenzonMoolgavkar1988]. The number 3.84 is the 95 % quantile of χ² with one degree of freedom.
@@ -29,7 +29,7 @@ struct ProfileInterval {
 /// size of the noise comes from the misfit. For a model that is linear in its parameters, the
 /// interval is value +- 1.96 factor std.
 ///
-/// If χ² does not rise by this amount within the bounds, the interval is open and ends at the
+/// If χ² does not rise by 3.84 factor² within the bounds, the interval is open and ends at the
 /// bound. Without a bound, the open end is infinite. An end is NaN if a refit between the fitted
 /// value and this end does not converge. Each end is accurate to 1e-4 of its distance from the
 /// fitted value. An end needs one refit of a linear model, and about five refits of other models.

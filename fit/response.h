@@ -76,17 +76,17 @@ struct ResponseFit {
   [[nodiscard]] Parameter fitted(const Response& response, std::size_t parameter) const;
 };
 
-/// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly. Others use
-/// the method of Levenberg and Marquardt from each start, until two starts reach the best optimum
-/// (relative difference of the misfit below 1e-6). If no two starts agree, the fit counts as not
-/// converged.
+/// Minimises the sum of the squared whitened residuals within the bounds. Affine responses are
+/// solved directly. Others use the method of Levenberg and Marquardt from each start, until two
+/// starts reach the best optimum (relative difference of the misfit below 1e-6). If no two starts
+/// agree, the fit counts as not converged.
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
 
 /// Runs one search from one start. Use this function for a first ranking of many fits, and repeat
-/// the best of them in full. The search stops if the predicted fall of the misfit in the next step
-/// is below 0.05, or below 1e-4 of the misfit if that is larger. A fit that stops for this reason
+/// the best fits in full. The search stops if the predicted fall of the misfit in the next step is
+/// below 0.05, or below 1e-4 of the misfit if that is larger. A fit that stops for this reason
 /// counts as converged. The response must not be affine.
 [[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
                                      const Eigen::VectorXd& measured, const Eigen::VectorXd& start);

@@ -52,12 +52,12 @@ struct SeparableFit {
 /// and Marquardt finds the bending parameters, on a logarithmic scale if the bounds of a parameter
 /// span more than a decade.
 ///
-/// A ridge of 1e-6 on columns of unit length prevents two lags with nearly equal time constants
-/// from growing against each other. A prior adds w (v - value)²/std² for its parameter v, where w
-/// is the variance of a weighted mean. Parameters that the means determine better than the prior
-/// follow the means; the others stay at the prior. Predictions that a bending parameter does not
-/// change (Predictor::bends()) are stored between evaluations. Several threads must not use one
-/// object at the same time, because they would share the stored results.
+/// A ridge of 1e-6 on columns of unit length prevents the gains of two lags with nearly equal time
+/// constants from becoming very large with opposite signs. A prior adds w (v - value)²/std² for its
+/// parameter v, where w is the variance of a weighted mean. Parameters that the means determine
+/// better than the prior follow the means; the others stay at the prior. Predictions that a bending
+/// parameter does not change (Predictor::bends()) are stored between evaluations. Several threads
+/// must not use one object at the same time, because they would share the stored results.
 class Separable {
  public:
   /// `record` and `prepared` are the arguments of Subject::predictor(). All arguments must live

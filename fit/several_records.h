@@ -50,7 +50,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Predictor> predictor(
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// Returns a copy with information from all records together.
+  /// Returns a copy whose model knows values of all records together, such as the temperature of
+  /// the coldest row; null if the model needs none.
   [[nodiscard]] std::unique_ptr<Subject> informed_by(const Record& record) const override;
 
   [[nodiscard]] std::vector<Parameter> parameters() const override;

@@ -13,7 +13,8 @@ namespace raceway::fit {
 /// For every input i, the set AB_i is A with column i of B.
 ///
 /// The points are Sobol' points in 2 x inputs dimensions with the direction numbers of Joe and Kuo.
-/// The columns of A come before those of B. Owen scrambling uses the hash of Burley.
+/// The first half of the dimensions gives A, the second half gives B. Owen scrambling uses the hash
+/// of Burley.
 ///
 /// Source:   [Saltelli2010] for the sets; [JoeKuo2008]; [Burley2020, section 3].
 /// Domain:   1 to 1800 inputs; the number of samples is a power of two from 2 to 2^24, because only

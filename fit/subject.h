@@ -31,7 +31,7 @@ struct Measured {
   /// that was not recorded. NaN if unknown.
   double most_scatter = unset;
   /// Declared error of the model itself [SI]. Residuals up to this size count as noise. For a model
-  /// that only approximates, they count as within the tolerance.
+  /// that only approximates, such residuals count as within the tolerance.
   double model_error = 0.0;
   /// Standard deviation of a single reading, if the model declares it [SI].
   double std = unset;
@@ -122,7 +122,7 @@ struct OtherBase {
   /// `lacks`).
   std::shared_ptr<const Subject> subject{};
   std::string lacks{};  ///< data that this base model needs and that the subject lacks
-  /// True if the exponents are fitted too. Such a base model only describes the data, so it is used
+  /// True if the exponents are fitted too. Such a base model only describes the data and is used
   /// only if no law fits equally well.
   bool fitted_form = false;
 };
@@ -154,7 +154,7 @@ class Subject : public Judged {
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const = 0;
 
-  /// Returns a copy with information from the whole record, for example the temperature of the
+  /// Returns a copy that knows values of the whole record, for example the temperature of the
   /// coldest row; null if the subject needs none. The loop calls this function once, before it
   /// removes rows. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> informed_by(const Record& record) const;
@@ -179,9 +179,9 @@ class Subject : public Judged {
   /// become candidates again, because the record must still determine them. The result is null if
   /// there are none. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
-  /// Returns a copy with a shape as an additional candidate with this id, switched off. Its
-  /// parameters start at the values of the shape. The result is null if the model supports no
-  /// formula. Default: null.
+  /// Returns a copy with a shape as an additional candidate with this id, switched off. The
+  /// parameters of the candidate start at the values of the shape. The result is null if the model
+  /// supports no formula. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_shape(const std::string& id,
                                                             const Shape& shape) const;
   /// Returns base models that may replace the base model of the subject. Default: none.

@@ -5,10 +5,10 @@
 
 namespace raceway::fit {
 
-/// Returns a basis of the first block, extended by the parts of later blocks that are independent
-/// of it. Columns with the largest remainder come first. A remainder is left out if it is smaller
-/// than the share `tolerance` of its column. The basis has at most `most` columns, and earlier
-/// blocks have priority.
+/// Returns an orthonormal basis of the columns of all blocks, built block by block. In a block, the
+/// column with the largest part that is independent of the basis comes first. A column is left out
+/// if this part is smaller than the share `tolerance` of the column; each block has its own
+/// tolerance. The basis has at most `most` columns, so earlier blocks have priority.
 [[nodiscard]] Eigen::MatrixXd independent_columns(const std::vector<Eigen::MatrixXd>& blocks,
                                                   const std::vector<double>& tolerance,
                                                   Eigen::Index most);

@@ -29,19 +29,25 @@ struct RowOrder {
 ///
 ///   cov(e_i, e_k) = s_i s_k [ (1 - g - h) φ^|t_i - t_k| + g r_i r_k (same run) + h (same dwell) ]
 ///
-/// Each reading has the standard deviation s [SI]. The noise is a first-order autoregression along
-/// time, plus offsets common to the rows of a run and of a dwell. If a run offset is proportional
-/// to s, r = 1. If the offset is equal for all readings of the run, like a zero that is set before
-/// the run, r_i = u/s_i. The variance of a reading then differs from s². A reading may have a white
-/// part that is independent of its neighbours. Then c s replaces s in the correlated part, and the
-/// white part has the variance s² (1 - c²). The result consists of the innovations of the Kalman
-/// filter with these states, divided by the standard deviations of the innovations. The
-/// transformation is exact and needs time and memory proportional to the number of rows.
+/// e_i is the noise of reading i, s_i [SI] its standard deviation, and t_i its time in units of the
+/// median step. The noise is a first-order autoregression along time with the correlation φ, plus
+/// one offset for all rows of a run and one offset for all rows of a dwell. g and h are the shares
+/// of these offsets in the variance. If the run offset of each reading is proportional to s_i, r_i
+/// is 1. If the sensor is set to zero before each run, the offset is equal for all readings of the
+/// run. Then r_i = u/s_i with the size u of the run offsets [SI], and the variance of a reading
+/// differs from s_i². A reading may have a white part that is independent of its neighbours. Then
+/// c_i s_i replaces s_i in the correlated part, and the variance of the white part is
+/// s_i² (1 - c_i²).
+///
+/// The result consists of the innovations of the Kalman filter with these states, divided by the
+/// standard deviations of the innovations. The transformation is exact and needs time and memory
+/// proportional to the number of rows.
 class Whitening {
  public:
   Whitening() = default;
   /// The correlation φ, run_share g and state_share h are in [0, 1), and g + h is below 1. `common`
-  /// is c of each reading, in (0, 1]; an empty vector means 1. `run_unit` is u [SI]; 0 means r = 1.
+  /// has c_i of each reading, in (0, 1]; an empty vector means 1. `run_unit` is u [SI]; 0 means
+  /// that r_i is 1.
   Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share,
             double state_share = 0.0, const Eigen::VectorXd& common = {}, double run_unit = 0.0);
   /// Combines several channels in sequence, with independent noise.

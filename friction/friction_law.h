@@ -17,8 +17,8 @@ namespace raceway::friction {
 /// (friction/contact/contact_law.h). `table` is a measured table (friction/torque_table.h).
 /// `powers` and `contact_powers` are fitted to measurements (friction/powers.h). All laws but
 /// `contact`, `contact_powers` and `table` are formulas for the whole bearing. Laws of cylindrical
-/// rollers have other parameters (friction/roller_friction.h). In files they have the names of the
-/// ball laws; the type of the bearing selects the law.
+/// rollers have other parameters (friction/roller_friction.h). In files, the roller laws have the
+/// names of the ball laws; the type of the bearing selects the law.
 enum class FrictionLaw {
   palmgren,
   skf,
@@ -39,7 +39,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
   return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
 }
-/// True if the exponents of the law are fitted: it describes measurements, but explains nothing.
+/// True if the exponents of the law are fitted: such a law describes measurements without a
+/// physical explanation.
 [[nodiscard]] constexpr bool has_fitted_exponents(FrictionLaw law) {
   return law == FrictionLaw::powers || law == FrictionLaw::contact_powers;
 }
@@ -75,11 +76,11 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// change the moments.
 ///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-///   table: none; contact, contact_powers and laws of rollers: all data; in these cases the list is
-///   empty
+///   table:    no data; the list is empty
+///   contact, contact_powers, laws of rollers: all data; the list is also empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
-/// True if the law uses the ball equilibrium. Without it, such a law has no moments.
+/// True if the law uses the ball equilibrium. Without an equilibrium, such a law has no moments.
 [[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
   return law == FrictionLaw::contact || law == FrictionLaw::contact_powers;
 }

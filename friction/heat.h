@@ -24,7 +24,7 @@ struct HeatSources {
   double spin_coefficient = 0.0;  ///< coefficient of `spin-friction` [1]; 0 without this effect
 };
 
-/// Heat of each ring [W]. Their sum equals the power loss to within rounding error.
+/// Heat of each ring [W]. The sum of both equals the power loss to within rounding error.
 struct HeatSplit {
   double inner = unset;
   double outer = unset;

@@ -16,8 +16,8 @@ namespace raceway::friction {
 ///   F_b = max(0.9 F_a cot α0 - 0.1 F_r, F_r)      α0 > 0
 ///   F_b = max(3.3 F_a - 0.1 F_r, F_r)             α0 = 0
 ///
-/// For a deep-groove bearing cot α0 is infinite. Catalogues use 3.3 instead of 0.9 cot α0. This
-/// value corresponds to about 15 deg, the contact angle of such a bearing under thrust.
+/// For a deep-groove bearing cot α0 is infinite. Catalogues use 3.3 instead of 0.9 cot α0. The
+/// value 3.3 corresponds to about 15 deg, the contact angle of such a bearing under thrust.
 ///
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10]; α0 = 0: [KRW2006, p. 116-118].
 /// Domain:   every load; the magnitudes of F_a and F_r are used.
@@ -73,7 +73,7 @@ T f1_load(const BearingState<T>& s) {
 }
 
 /// Load in the middle of the range of spindle bearings [N]: F_b = 1000 N, or the P0 of about the
-/// same thrust. Fitted load exponents refer to it.
+/// same thrust. Fitted load exponents refer to this load.
 [[nodiscard]] constexpr double medium_load(F1Load load) {
   return load == F1Load::P0 ? 200.0 : 1000.0;
 }

@@ -45,7 +45,7 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 =
 ///           0.0003 comes from the public program thermca, after Jungnickel. The usual ranges,
 ///           0.0002 to 0.0004 for f1 and 0.6 to 4 for f0, are from memory.
-/// Domain:   F >= 0. f1 is constant; for ball bearings it is z (P0/C0)^y.
+/// Domain:   F >= 0. f1 is constant; for ball bearings, f1 is z (P0/C0)^y.
 struct RollerPalmgrenLoad {
   static constexpr std::array parameters{
       Parameter{.name = "f1", .unit = "1", .initial = 0.0003, .lower = 0.0, .upper = 0.01}};
@@ -53,7 +53,7 @@ struct RollerPalmgrenLoad {
 };
 
 /// Usual f0 of a cylindrical roller bearing by lubricant supply [1]: grease 0.8, oil-air 1.5, bath
-/// 3, jet 6. For an unknown supply it is 1.5.
+/// 3, jet 6. For an unknown supply, f0 is 1.5.
 /// Source: the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 

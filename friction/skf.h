@@ -47,7 +47,8 @@ inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
 ///
 ///   φ_ish = 1 / (1 + 1.84e-9 (n d_m)^1.28 ν^0.64)
 ///
-/// Dimensional as published: n [rpm], d_m [mm], ν [mm²/s]. Source: [SKFGeneral, p. 91-101].
+/// The formula is in its published units: n [rpm], d_m [mm], ν [mm²/s].
+/// Source: [SKFGeneral, p. 91-101].
 /// Domain: speed >= 0, viscosity > 0; 1 at standstill.
 template <typename T>
 T inlet_shear_factor(const T& speed, const T& viscosity, double mean_diameter) {
@@ -61,8 +62,8 @@ T inlet_shear_factor(const T& speed, const T& viscosity, double mean_diameter) {
 ///
 ///   φ_rs = exp(-K_rs ν n (d + D) sqrt(K_Z / (2 (D - d))))
 ///
-/// Dimensional as published: ν [mm²/s], n [rpm], d and D [mm]. K_rs is 3e-8 for an oil bath with
-/// low level or an oil jet, and 6e-8 for grease and oil-air.
+/// The formula is in its published units: ν [mm²/s], n [rpm], d and D [mm]. K_rs is 3e-8 for an oil
+/// bath with low level or an oil jet, and 6e-8 for grease and oil-air.
 /// Source: [SKFGeneral, p. 91-101]. Domain: speed >= 0.
 template <typename T>
 T replenishment_factor(const T& K_rs, const T& speed, const T& viscosity, const RingSize& ring,
@@ -77,7 +78,8 @@ T replenishment_factor(const T& K_rs, const T& speed, const T& viscosity, const 
 ///
 ///   φ_bl = exp(-2.6e-8 (ν n)^1.4 d_m)
 ///
-/// Dimensional as published: ν [mm²/s], n [rpm], d_m [mm]. Source: [SKFGeneral, p. 91-101].
+/// The formula is in its published units: ν [mm²/s], n [rpm], d_m [mm].
+/// Source: [SKFGeneral, p. 91-101].
 /// Domain: speed >= 0.
 template <typename T>
 T boundary_share(const T& speed, const T& viscosity, double mean_diameter) {
@@ -99,8 +101,9 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///
 ///   M_rr = φ_ish φ_rs R1 d_m^1.97 (F_r + F_g + R2 F_a)^0.54 (ν n)^0.6,   F_g = R3 d_m^4 n²
 ///
-/// Dimensional as published: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]; converted here. F_a
-/// is the external axial load. For ceramic balls, skf_ball_factor() multiplies R3.
+/// The formula is in its published units: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]. The
+/// code converts these units. F_a is the external axial load. For ceramic balls, skf_ball_factor()
+/// multiplies R3.
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Some constants
 ///           differ in editions since 2013.
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. The moment is zero at standstill and without load.
@@ -137,8 +140,9 @@ struct SkfRolling {
 ///
 ///   M_sl = μ_sl S1 d_m^0.26 ((F_r + F_g)^(4/3) + S2 F_a^(4/3)),   F_g = S3 d_m^4 n²
 ///
-/// Dimensional as published: M_sl [N mm], d_m [mm], F [N], n [rpm]; converted here. μ_bl is about
-/// 0.15; μ_EHL 0.05 with mineral oil, 0.04 with synthetic oil, 0.1 with transmission fluid.
+/// The formula is in its published units: M_sl [N mm], d_m [mm], F [N], n [rpm]. The code converts
+/// these units. μ_bl is about 0.15. μ_EHL is 0.05 with mineral oil, 0.04 with synthetic oil and 0.1
+/// with transmission fluid.
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact).
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is the moment of boundary
 ///           lubrication.

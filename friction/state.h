@@ -13,9 +13,10 @@ struct ContactData;
 }
 struct TorqueTable;
 
-/// Load in Palmgren's load moment. For balls it is the load in the factor f1: the static equivalent
-/// load P0, as in the source, or F_b, for files whose z belongs to F_b. For cylindrical rollers it
-/// is the load F: the external radial load F_r or the load on the rollers, see counted_load().
+/// Load in Palmgren's load moment. For balls, F1Load is the load in the factor f1: the static
+/// equivalent load P0, as in the source, or F_b, for files whose z belongs to F_b. For cylindrical
+/// rollers, F1Load is the load F: the external radial load F_r or the load on the rollers, see
+/// counted_load().
 enum class F1Load { P0, F_b, F_r, rollers };
 
 /// All inputs of a friction law for one bearing at one operating point. T is double or an automatic
@@ -47,7 +48,7 @@ struct BearingState {
   }
 };
 
-/// Parameter of a law. It can be given or fitted, and it has bounds.
+/// Parameter of a law. The value can be given or fitted, and it has bounds.
 using Parameter = record::NumberCard;
 
 }  // namespace raceway::friction

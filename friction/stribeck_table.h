@@ -80,7 +80,7 @@ struct StribeckTable {
   [[nodiscard]] std::span<const double> row(std::size_t index) const;
 };
 
-/// Function that fills successive points of a table. Several threads call it in parallel.
+/// Function that fills successive points of a table. Several threads call the function in parallel.
 using TableLine =
     std::function<void(std::span<const bearing::OperatingPoint>, std::span<TablePoint>)>;
 
@@ -101,7 +101,7 @@ using TableLine =
 /// Treatment of a query outside the table.
 enum class Outside {
   error,  ///< throws std::invalid_argument with name, value, unit and range
-  clamp,  ///< uses the nearest edge, and reports it
+  clamp,  ///< uses the nearest edge, and sets InterpolatedMoment::clamped
 };
 
 /// Query point of a table.
@@ -130,7 +130,8 @@ struct InterpolatedMoment {
 ///           of Outside.
 /// Accuracy: exact at grid points. For equal spacing h the error is of order h³, and of order h²
 ///           near the ends and near an extremum. Along a grid line, the moment is monotone where
-///           its points are monotone. Between grid lines this is usual, but not guaranteed.
+///           its points are monotone. Between grid lines, the moment is usually monotone, but not
+///           always.
 [[nodiscard]] InterpolatedMoment interpolate(const StribeckTable& table,
                                              const TablePosition& position, Outside outside);
 

@@ -6,7 +6,8 @@
 
 namespace raceway::friction {
 
-/// ν n in the middle of the range of spindles [mm²/s rpm]. Fitted exponents of ν n refer to it.
+/// ν n in the middle of the range of spindles [mm²/s rpm]. Fitted exponents of ν n refer to this
+/// value.
 inline constexpr double medium_nu_n = 300000.0;
 
 /// Friction moment of a bearing that rotates in its lubricant without load [N m].
@@ -14,8 +15,8 @@ inline constexpr double medium_nu_n = 300000.0;
 ///   M0 = 1e-7 f0 (ν n)^(2/3) d_m³      ν n >= 2000
 ///   M0 = 160e-7 f0 d_m³                ν n <  2000
 ///
-/// Dimensional as published: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]; only this function converts
-/// the units.
+/// The formulas are in their published units: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]. Only this
+/// function converts these units.
 /// Source:   [Palmgren1959; CaseStudy, eq. 22].
 /// Domain:   speed >= 0, viscosity > 0. At ν n = 2000 the two published formulas differ by 0.8 %.
 ///           The second formula is valid down to standstill.

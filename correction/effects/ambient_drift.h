@@ -6,8 +6,10 @@
 
 namespace raceway::correction {
 
-/// The ambient temperature moves the machine. The effect is a lag of the ambient temperatures, or
-/// of the base temperatures if there are no ambient temperatures.
+/// The ambient temperature moves the machine. The displacement follows the mean of the ambient
+/// temperatures that the model does not use, with a gain and a first-order lag. Without an unused
+/// ambient temperature, the displacement follows the mean of the unused temperatures of the machine
+/// base.
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",

@@ -5,7 +5,8 @@
 
 namespace raceway::correction {
 
-/// The screw of an axis heats up as the axis moves. The effect is a lag of |feed|.
+/// The screw of an axis heats up as the axis moves. The displacement follows the absolute value of
+/// the feed with a gain and a first-order lag.
 struct FeedAxisHeat final : EffectKind {
   static constexpr EffectCard feed_card{
       .id = "feed-axis-heat",

@@ -5,9 +5,9 @@
 namespace raceway::correction {
 
 /// A temperature sensor came loose for some time: it measured only a share of the rise above
-/// ambient. The fault begins and ends with a jump of the reading. If one jump is missing, several
-/// times are tried for it: times at which the reading is close to ambient, and the end of the
-/// record on that side. Only records with one run are examined.
+/// ambient. The fault begins and ends with a jump of the reading. If one of the two jumps is
+/// missing, several times are tried for this jump: times at which the reading is close to ambient,
+/// and the end of the record on that side. Only records with one run are examined.
 struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",

@@ -6,8 +6,9 @@
 
 namespace raceway::correction {
 
-/// A motor heats up or cools down with the spindle. The effect is a lag of the motor temperature.
-/// If that temperature is not recorded, the effect is a lag of exp(-n/n0) while the spindle turns.
+/// A motor heats up or cools down with the spindle. The displacement follows the motor temperature
+/// with a gain and a first-order lag. If the motor temperature is not recorded, the displacement
+/// follows exp(-n/n0) while the spindle turns at the speed n.
 struct MotorHeat final : EffectKind {
   static constexpr record::NumberCard decay_speed{
       "decay_speed_rpm", "rpm", 2000, 300, 8000, 300, 8000, unset};

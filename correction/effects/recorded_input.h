@@ -10,11 +10,12 @@
 
 namespace raceway::correction {
 
-/// A recorded column that the model does not use moves the machine. The effect is a lag of this
-/// column. A position is not a heat source, so its column acts without a lag. If the channels of
-/// the model have a common reference, a temperature is taken relative to this reference. A position
-/// can also define a window in which an additional lag of the input of a channel acts. Five windows
-/// within the recorded range of the position are tried.
+/// A recorded column that the model does not use moves the machine. The displacement follows this
+/// column with a gain and a first-order lag. A position is not a heat source, so its column has a
+/// gain but no lag. If all temperature channels of the model have one common reference, this
+/// reference is subtracted from a temperature column. A position can also define a window of the
+/// axis. In the window, the displacement follows the input of a channel with an additional gain and
+/// lag. Five windows within the recorded range of the position are tried.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
@@ -53,7 +54,7 @@ struct RecordedInput final : EffectKind {
     return list;
   }
 
-  /// Without a time constant in the file, the column acts without a lag.
+  /// Without a time constant in the file, the displacement follows the column without a lag.
   [[nodiscard]] bool may_end_before(std::size_t number) const override { return number == 1; }
 
   [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
@@ -74,9 +75,10 @@ struct RecordedInput final : EffectKind {
  private:
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
-  /// Returns the windows that are tried: a weight proportional to the position along the axis, the
-  /// upper half of the axis, and each third of the axis. The lower half needs no window, because it
-  /// is the channel minus the upper half. Edges are round numbers in the unit of the column.
+  /// Returns the windows that are tried: a weight that rises linearly along the axis, the upper
+  /// half of the axis, and each third of the axis. The lower half needs no window: its share is the
+  /// response of the channel minus the share of the upper half. Edges are round numbers in the unit
+  /// of the column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);

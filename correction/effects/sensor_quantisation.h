@@ -5,8 +5,9 @@
 namespace raceway::correction {
 
 /// The predicted displacement steps with the last digit of a sensor. The record itself shows this
-/// effect: where that digit changes, the residual steps back by at least 0.4 of the step that the
-/// feedthrough predicts, on average over 30 or more changes.
+/// effect: where that digit changes, the residual steps back by more than 0.4 of the step that the
+/// feedthrough predicts. This share is the mean over 30 or more changes and must exceed 8 standard
+/// errors. The steps must also explain at least 40 % of the mean square of the residual.
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",

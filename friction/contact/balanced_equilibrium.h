@@ -39,7 +39,8 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// Share of the step towards the new rotations. It is reduced if forces and rotations oscillate.
+  /// Share of the step towards the new rotations. The share is reduced if forces and rotations
+  /// oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };
@@ -47,8 +48,8 @@ class TurningBalls {
 /// Equilibrium of a bearing whose balls rotate in equilibrium with contact traction, without race
 /// control. Only `report` is set unless the solve converged.
 struct BalancedEquilibrium {
-  /// Equilibrium, with `rotations`. Its report has the number of Newton steps of all passes and the
-  /// force residual.
+  /// Equilibrium, with `rotations`. The report of the equilibrium has the number of Newton steps of
+  /// all passes and the force residual.
   bearing::BearingEquilibrium equilibrium;
   std::vector<BallAttitude> attitudes;  ///< attitudes of equilibrium.balls.distinct()
   /// Status of the complete solution. Iterations are passes over forces and attitudes. The residual
@@ -60,11 +61,11 @@ struct BalancedEquilibrium {
 /// rotation of each ball (BallAttitudes). The orbital speed and the friction forces T_i, T_o of the
 /// attitudes act on the balls.
 ///
-/// The solver alternates between forces for given rotations and rotations for given forces. It
-/// starts from outer control or the rotations of a neighbour. The coupling is usually weak; if it
-/// is strong, the solver shortens its steps. With nearly unloaded balls at very high speed the
-/// solver may not converge (fewer than 1 in 100 extreme cases, tested). The report contains this
-/// status.
+/// The solver alternates between forces for given rotations and rotations for given forces. The
+/// solver starts from outer control or the rotations of a neighbour. The coupling of forces and
+/// rotations is usually weak; if the coupling is strong, the solver shortens its steps. With nearly
+/// unloaded balls at very high speed the solver may not converge (fewer than 1 in 100 extreme
+/// cases, tested). The report contains this status.
 ///
 /// Domain:   as for solve_bearing_equilibrium(). At standstill the attitudes do not affect the
 ///           forces. `options.race_control` and `options.rotations` are ignored.

@@ -35,14 +35,17 @@ class TurningBall;
 /// A ball has four free speeds. The cage exerts no force. The conditions for traction at both
 /// contacts are:
 ///
-///   Σ τ_x equal at both contacts,   M = J ω_m x̂ × w       (M of traction about the ball's centre)
-///   T_i + T_o = (2/D) J ω_m ω_R sin β,   the third component
+///   Σ τ_x equal at both contacts,   M = J ω_m x̂ × w
+///   T_i + T_o = (2/D) J ω_m ω_R sin β   (component of M along the orbit)
+///
+/// M is the moment of traction about the centre of the ball, x̂ the direction of the bearing axis,
+/// and w the rotation of the ball seen from the cage.
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
 /// analytic. Traction follows from a potential that is convex in these speeds; the gyroscopic
 /// moment adds a purely rotational term. So there is one solution for a given cage speed, and every
-/// Newton step descends towards it. If dry friction changes direction too sharply, the solver first
-/// smooths this change and then removes the smoothing.
+/// Newton step descends towards this solution. If dry friction changes direction too sharply, the
+/// solver first smooths this change and then removes the smoothing.
 ///
 /// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
 ///           the ball turns until its gyroscopic moment vanishes (β near 0); under boundary
@@ -63,7 +66,7 @@ class BallAttitudes {
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
   /// Solves the attitude once, with films at the cage speed of `start`, or at the cage speed of
-  /// outer control if there is no `start`. Use it inside an iteration.
+  /// outer control if there is no `start`. Use this function inside an iteration.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 

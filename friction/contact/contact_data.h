@@ -14,7 +14,7 @@ namespace raceway::friction::contact {
 struct ContactData {
   OilData oil;
   double eyring_stress = default_eyring_stress;  ///< τ0 [Pa]
-  /// Γ of the film as entered with the oil, for all laws [1]. If it is NaN, the value of the oil
+  /// Γ of the film as entered with the oil, for all laws [1]. If Γ is NaN, the value of the oil
   /// type is used.
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;

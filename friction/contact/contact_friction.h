@@ -14,8 +14,8 @@
 
 namespace raceway::friction::contact {
 
-/// Parameters of the law in addition to bearing and oil. They have the same limits as in model
-/// files.
+/// Parameters of the law in addition to bearing and oil. The parameters have the same limits as in
+/// model files.
 struct ContactLaw {
   Inlet supply = Inlet::limited;
   double replenishment = 0.0;              ///< K_rs of replenishment_factor() [1], 0 is off

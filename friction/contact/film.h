@@ -61,7 +61,8 @@ struct Film {
 /// Source:   a published report on roller bearings; the original paper was not checked. Other texts
 ///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which gives a
 ///           thinner film.
-/// Domain:   L >= 0, S >= 0; 1 at L = 0. Accuracy: 10 % up to L = 1; extrapolated beyond.
+/// Domain:   L >= 0, S >= 0; 1 at L = 0. Accuracy: 10 % up to L = 1; the formula is extrapolated
+///           above L = 1.
 [[nodiscard]] inline double thermal_film_factor(double loading, double slip_ratio = 0.0) {
   if (!(loading > 0.0)) return 1.0;
   const double slip = slip_ratio > 0.0 ? 1.0 + 14.8 * std::pow(slip_ratio, 0.83) : 1.0;

@@ -11,8 +11,9 @@ namespace raceway::friction::contact {
 ///
 ///   M_h = 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.519e-3 (R_z/R_x - 1)^0.8063) (E'_s/E')^(1/3)
 ///
-/// Dimensional as published: [N m, m, N]. R_x and R_z are the equivalent radii along and across the
-/// rolling direction; E' is the modulus of the contact, E'_s the modulus of steel on steel.
+/// The formula is in its published units [N m, m, N]. R_x and R_z are the equivalent radii along
+/// and across the rolling direction; E' is the modulus of the contact, E'_s the modulus of steel on
+/// steel.
 /// Source:   [Houpert2002] as quoted in [Balan2015, eq. 9]. Neither print was checked; the equation
 ///           of Balan comes from notes on the paper. A public ball screw program has k = R_y/R_x in
 ///           the same formula. The last factor is derived: if the loss is proportional to the

@@ -15,9 +15,9 @@ namespace raceway::friction::contact {
 /// state and the instruction set, to the last bit.
 /// Memory: a fixed amount for each thread, kept between calls. States need no additional memory.
 /// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. Sliding
-///           uses the same points in single precision. It agrees to 2e-4 in the worst of 4000
-///           random states, and to 1e-6 in most of them (5e-7 of the torque of a 7014 at speed).
-///           Slip agrees to 5e-4, and `holding_over_traction` agrees to 2 %.
+///           uses the same points in single precision. Sliding agrees to 2e-4 in the worst of 4000
+///           random states, and to 1e-6 in most of these states (5e-7 of the torque of a 7014 at
+///           speed). Slip agrees to 5e-4, and `holding_over_traction` agrees to 2 %.
 /// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
 /// uses the kernels of avx2).
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,

@@ -8,7 +8,7 @@
 #include "record/units.h"
 
 /// Contacts of ball and race: film, rolling resistance of the oil, traction, hysteresis. This file
-/// has the formulas; contact_friction.h sums them over a bearing.
+/// has the formulas of one contact; contact_friction.h sums the friction over a bearing.
 namespace raceway::friction::contact {
 
 /// Types of oil that differ in the properties below. For a grease, the type of its base oil.
@@ -64,7 +64,7 @@ inline constexpr double density_slope = 6.5e-4;
 
 /// Pressure-viscosity coefficient of a type of oil at its current viscosity [1/Pa].
 ///
-///   α = s ν^t,   α [1/GPa], ν [mm²/s]; converted here
+///   α = s ν^t,   α [1/GPa], ν [mm²/s]; the code converts these units
 ///
 /// Source:   [Gold2001], from memory, not checked against the print. Domain: ν > 0.
 /// Accuracy: 15 % for oils of one type, which changes the friction by at most 4 %.

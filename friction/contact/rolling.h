@@ -20,7 +20,7 @@ struct RollingEllipse {
 };
 
 /// Moes' load parameter M of the ellipse, for rolling_force() [1]. If M is above about 10, the
-/// contact is elastohydrodynamic. If it is much smaller, the contact is rigid and isoviscous.
+/// contact is elastohydrodynamic. If M is much smaller, the contact is rigid and isoviscous.
 ///
 ///   M = β^0.25 κ W/U^0.75,   β = (4/π) E(k)/(1 + R_x/R_z),   κ = b/a,
 ///   U = 2 η u/(E' R_x),   W = Q/(E' R_x²)
@@ -39,7 +39,9 @@ struct RollingEllipse {
 ///   limited   IVR = 0.835 (R_x/R_z)^-0.358 U^0.636 W^0.364,
 ///             EHL = 1.544 β^(1/3) κ^-0.577 U^0.656 W^0.466 G^0.022
 ///
-/// U, W, β, κ and M are defined at moes_load(), and G = α E'. rolling_power() gives the power.
+/// IVR is the force of a rigid contact with isoviscous oil, and EHL the force of an
+/// elastohydrodynamic contact, both divided by E' R_x². U, W, β, κ and M are defined at
+/// moes_load(), and G = α E'. rolling_power() gives the power.
 /// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The limited inlet is Houpert's law of
 ///           1987. [Balan2015, eqs. 1 to 5] agrees. The equations were read as plain text, not in
 ///           the print layout.
@@ -74,8 +76,8 @@ struct RollingEllipse {
 
 /// Power lost in the oil of one inlet, P = 2 F u [W], because F acts on both surfaces.
 ///
-/// Source:   derived from the power integral of [BibouletHoupert2010, part 2, eq. 37]. It agrees
-///           with the 6 r F of [Balan2015] for three balls between two plates.
+/// Source:   derived from the power integral of [BibouletHoupert2010, part 2, eq. 37]. The formula
+///           agrees with the 6 r F of [Balan2015] for three balls between two plates.
 [[nodiscard]] inline double rolling_power(double force, double speed) {
   return 2.0 * force * speed;
 }
@@ -86,11 +88,12 @@ struct RollingEllipse {
 ///
 /// Source:   [Aihara1987], on tapered rollers, as quoted in a published report; not checked against
 ///           the print.
-/// Domain:   L >= 0; φ = 1 at L = 0. Measured up to about L = 5. Spindle bearings reach L = 10,
-///           where the formula is extrapolated and reduces the rolling force by nearly two thirds.
+/// Domain:   L >= 0; φ = 1 at L = 0. The measurements reach about L = 5. Spindle bearings reach L =
+///           10, where the formula is extrapolated and reduces the rolling force by nearly two
+///           thirds.
 /// Trap:     above about L = 40 (flooded: 300) the product of φ and the force of a limited inlet
-///           decreases when the viscosity increases. This happens with thick oil at the highest
-///           speeds, where there are no measurements.
+///           decreases when the viscosity increases. This decrease occurs with thick oil at the
+///           highest speeds, where there are no measurements.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {
   if (!(loading > 0.0)) return 1.0;
   return 1.0 / (1.0 + 0.29 * std::pow(loading, 0.78));

@@ -21,13 +21,14 @@ struct ShearResponse {
 ///   τ = (1 - φ) min(τ0 asinh(η(p) v/(h_c τ0)), Γ p) + φ μ p v/sqrt(v² + ε²)
 ///
 /// τ0 is Eyring's stress, Γ the limiting traction, φ the result of asperity_share(), and μ the
-/// boundary friction coefficient. ε is 1e-6 of the rolling speed, far below any relevant slip. It
+/// boundary friction coefficient. ε is 1e-6 of the rolling speed, far below any relevant slip. ε
 /// makes the direction of τ smooth where v changes sign.
 /// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], not checked
 ///           against the print. η(p) is Roelands' law.
 /// Domain:   v >= 0, p >= 0, h_c > 0; φ = 1 ignores the film (standstill).
 /// Accuracy: 30 % for the stress of a film below 1 GPa. In bearings with a full film, the rolling
-///           resistance of the oil is about 98 % of the friction, and this stress causes the rest.
+///           resistance of the oil is about 98 % of the friction, and the stress of the film causes
+///           the rest.
 struct FilmShear {
   Roelands viscosity;
   double film;               ///< h_c [m]
@@ -37,8 +38,8 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Upper limit of `steepness`, above the value of any real film [s/m]. It keeps Roelands' values
-  /// finite at unrealistic pressures.
+  /// Upper limit of `steepness`, above the value of any real film [s/m]. The limit keeps Roelands'
+  /// values finite at unrealistic pressures.
   static constexpr double glass = 1e30;
 
   struct Point {

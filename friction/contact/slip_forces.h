@@ -24,7 +24,7 @@ struct SlipMotion {
 ///
 /// τ is the gradient of a potential that is convex in v. So the matrix of slopes is symmetric and
 /// has no negative eigenvalue. The power of friction is the sum of the four products of force_k and
-/// slip part k. These statements are valid for any set of points.
+/// slip part k. All three statements are valid for any set of points.
 struct SlipForces {
   std::array<double, 4> force{};  ///< for along, across [N], rolling and spin [N m]
   double slope[4][4] = {};        ///< [N s/m, N s, N m s]

@@ -52,7 +52,7 @@ struct TractionSums {
 /// One integral includes spin, differential and gyroscopic sliding, because their friction forces
 /// cannot be added. The stress at each pressure is computed once. sums() then evaluates any number
 /// of v_x0, v_y0.
-/// Source:   slip field derived; for pure spin it is [Harris2006, vol. 2, ch. 5]'s moment
+/// Source:   slip field derived; for pure spin it gives the moment of [Harris2006, vol. 2, ch. 5],
 ///           (3/8) μ Q a E(k), for pure differential sliding 0.1611 μ Q ω_roll a²/(2 R).
 /// Domain:   Q > 0, ellipse small compared with the radii.
 /// Accuracy: with 16 x 32 points of the whole ellipse, 0.03 % of the power; with dry friction 0.2
@@ -65,9 +65,9 @@ class TractionField {
       points_[i] = shear.at_pressure(ellipse.peak_pressure() * grid().s[i]);
   }
 
-  /// If `whole` is true, the sums include both halves of the ellipse. If it is false, v_y0 must be
-  /// 0; the other half is then the mirror image, with equal force along rolling and no net force
-  /// across.
+  /// If `whole` is true, the sums include both halves of the ellipse. If `whole` is false, v_y0
+  /// must be 0; the other half is then the mirror image, with equal force along rolling and no net
+  /// force across.
   [[nodiscard]] TractionSums sums(const CentreSlip& centre, bool whole) const {
     const TractionSums right = half(centre, 1.0);
     if (whole) return added(right, half(centre, -1.0));
@@ -168,8 +168,8 @@ template <class Value>
   return false;
 }
 
-/// v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. It lies between -ω_roll
-/// a²/(2 R) and 0, because rolling drags the edges of the ellipse forward.
+/// v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. The result lies between
+/// -ω_roll a²/(2 R) and 0, because rolling drags the edges of the ellipse forward.
 template <class Field>
 [[nodiscard]] bool find_free_rolling(const Field& field, bool whole, CentreSlip& slip) {
   const SlidingEllipse& e = field.ellipse();
@@ -211,8 +211,9 @@ template <class Field>
 }
 
 /// Traction of a freely rolling contact that creeps transversely until it balances a force T: Σ τ_x
-/// = 0, Σ τ_y = T [N]. It does not converge if no slip up to 1 km/s balances T. Do not use it for
-/// the gyroscopic moment of a ball under race control, which a film cannot balance.
+/// = 0, Σ τ_y = T [N]. The search does not converge if no slip up to 1 km/s balances T. Do not use
+/// this function for the gyroscopic moment of a ball under race control, which a film cannot
+/// balance.
 template <class Field>
 [[nodiscard]] Traction holding_traction(const Field& field, double force) {
   if (force == 0.0) return rolling_traction(field);
