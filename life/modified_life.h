@@ -7,7 +7,8 @@ namespace raceway::life {
 ///   ν1 = 45000 n^-0.83 d_m^-0.5     n < 1000 rpm
 ///   ν1 = 4500 n^-0.5 d_m^-0.5       n >= 1000 rpm
 ///
-/// Dimensional as published: ν1 [mm²/s], n [rpm], d_m [mm]; converted here.
+/// The published formulas have ν1 in mm²/s, n in rpm and d_m in mm; the function converts the
+/// units.
 /// Source:   [ISO281, eqs. 28, 29], as quoted in two texts, not checked against the print. The
 ///           published formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up
 ///           to 16 % lower.

@@ -29,7 +29,7 @@ namespace raceway::life {
 /// Dynamic roller load ratings of the races, for a million revolutions [N].
 ///
 ///   Q_ci = C/(0.83 · 0.378 Z) (1 + T^4.5)^(2/9),   Q_ce = C/(0.83 · 0.364 Z) (1 + T^-4.5)^(2/9)
-///   T = 1.038 r
+///   T = 1.038 r, with r of roller_rating_factor()
 ///
 /// Source: [ISO16281], as in an open program, not checked against the print.
 struct RollerRatings {
@@ -38,9 +38,9 @@ struct RollerRatings {
 [[nodiscard]] RollerRatings race_ratings(const bearing::RollerGeometry& geometry,
                                          double load_rating);
 
-/// Edge stress factor of slice k = 0 ... 40 [1].
+/// Edge stress factor of slice `lamina` = 0 ... 40 [1].
 ///
-///   1 - 0.01/ln(1.985 |2k - ns - 1|/(2 ns - 2)),  k counted from 1;  1 in the middle
+///   1 - 0.01/ln(1.985 |2k - ns - 1|/(2 ns - 2)),  k = lamina + 1, ns = 41;  1 in the middle
 ///
 /// Source: [ISO16281], as in an open program. The factor for the outer ring in that program is
 ///         wrong.
@@ -62,7 +62,8 @@ struct RollerRatings {
                                     const bearing::RollerEquilibrium& equilibrium,
                                     bool edges = true);
 
-/// Load that gives this life by ISO 281, P_ref = C/L10r^0.3 [N].
+/// Returns the load whose basic rating life by ISO 281 equals the reference life, P_ref =
+/// C/L10r^0.3 [N].
 [[nodiscard]] double roller_reference_load(double load_rating, double reference_life);
 
 /// Basic rating life (C/P)^(10/3), in millions of revolutions [1].

@@ -22,8 +22,8 @@ namespace raceway::model {
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 
-/// Returns the measurements that would separate several rival effects, from the catalogue, in its
-/// order and without repetition.
+/// Returns the measurements that would separate several rival effects, in the order of the
+/// catalogue and without repetition.
 [[nodiscard]] std::vector<std::string> settling_records(
     effects::Form form, const std::vector<std::vector<std::string>>& rivals);
 

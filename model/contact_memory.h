@@ -32,8 +32,9 @@ class ContactMemory {
             std::span<const double> values, const friction::contact::ContactResult& result) {
     (void)remember(balls, s, values, result);
   }
-  /// Returns the total moment of that state and its slope with temperature along ν(T) of the oil,
-  /// about a stored temperature near s.temperature, or about s.temperature itself.
+  /// Returns the total moment of the state `s` and the slope of this moment with temperature along
+  /// ν(T) of the oil. Both are for a stored temperature near s.temperature, or for s.temperature
+  /// itself.
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);

@@ -9,7 +9,7 @@ namespace raceway::model {
 /// Position of a row in the course of a measurement; NaN if not every row has a time.
 struct Course {
   double since_start = unset;  ///< time since the start of the day or of the load sweep [s]
-  double direction = unset;    ///< 1 if the speed rose to its value, -1 if it fell
+  double direction = unset;    ///< 1 if the speed rose to its value, also from rest; -1 if it fell
 };
 
 /// Returns the course of every row, in the order of the record.

@@ -29,7 +29,7 @@ inline constexpr double sensor_significance = 0.01;
 ///
 /// N readings at L torques; the curve has p coefficients. Source: [NISThandbook, 4.4.4.6].
 struct LackOfFit {
-  double statistic = unset;            ///< F statistic; NaN without repeats
+  double statistic = unset;            ///< F statistic; NaN without a test
   double p_value = unset;              ///< [1]
   int degrees = 0, error_degrees = 0;  ///< L - p, N - L
   double repeatability = unset;        ///< standard deviation within repeats [V]

@@ -29,7 +29,7 @@ namespace raceway::session {
 /// Returns the warnings among the findings as notes.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
-/// Returns findings as notes. An exceeded limit of running bearings becomes a warning.
+/// Returns all findings as notes. Findings with `is_warning` become warnings.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
 /// Judges the sets of a shaft.

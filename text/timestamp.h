@@ -7,8 +7,9 @@
 
 namespace raceway::text {
 
-/// Order of day, month and year in a date with slashes or dashes. 12/03/2024 is in March or in
-/// December. 24/09/11 may begin with the year, and so may 24.09.11.
+/// Order of day, month and year in a date of numbers. 12/03/2024 is in March or in December.
+/// 24/09/11 and 24.09.11 begin with the day or with the year. A date with points never begins with
+/// the month.
 enum class DateOrder { day_first, month_first, year_first };
 inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_first,
                                         DateOrder::year_first};

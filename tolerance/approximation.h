@@ -18,10 +18,10 @@ struct Recorded {
   std::shared_ptr<const record::Record> record{};
   std::shared_ptr<const void> prepared{};  ///< result of Subject::prepare()
   fit::Means means{};
-  double duration = unset;  ///< [s]
+  double duration = unset;  ///< duration of the longest run [s]
 };
 
-/// Returns the usual width of the means [s]: a minute or a 1500th of the record, whichever is
+/// Returns the usual width of the means [s]: a minute or a 1500th of the longest run, whichever is
 /// longer. In recorded(), a `width` of 0 keeps single rows.
 [[nodiscard]] double usual_width(const record::Record& record);
 [[nodiscard]] Recorded recorded(const fit::Subject& subject,

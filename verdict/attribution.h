@@ -50,7 +50,8 @@ class Attribution {
   /// Returns the largest visibility of the candidate's scores.
   [[nodiscard]] double visibility(std::size_t candidate) const;
 
-  /// Refits one or several candidates from at least two starts.
+  /// Refits one or several candidates, from several starts unless the model is linear in all
+  /// parameters.
   [[nodiscard]] Explanation refit(const std::vector<std::size_t>& members,
                                   const std::vector<Eigen::VectorXd>& extra_starts = {}) const;
   /// Returns a refitted explanation for each testable and visible candidate; best first.
@@ -86,8 +87,9 @@ class Attribution {
   /// Returns the negative linearised gains of pairs, best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  /// Adds one candidate. The fit starts from the full sizes and from half the sizes of all
-  /// candidates. The fit is coarse, unless a coarse fit is worse than both given fits.
+  /// Adds one candidate. The fit is coarse and starts from the given sizes. If the coarse fit is
+  /// worse than the better given fit, a full fit replaces it. The full fit also starts from half
+  /// the sizes.
   [[nodiscard]] Explanation refit_together(const Explanation& first,
                                            const Explanation& single) const;
   /// Returns true for a candidate that corrects a datum.

@@ -16,7 +16,8 @@ class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
   /// Returns the share of draws from N(0, C) whose largest score reaches `observed`. The scores of
-  /// each draw are divided by a random scale with the χ distribution.
+  /// each draw are divided by a random scale with the χ distribution. If the share is very small or
+  /// very large, the result is a bound from Student's distribution.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
