@@ -56,7 +56,7 @@ struct RollerRatings {
 /// Source:   [ISO16281].
 /// Domain:   converged equilibrium, else NaN; infinite without load.
 /// Trap:     without a profile, the life depends on the number of slices because of the edges. L10r
-///           differs from (C/F_r)^(10/3): at C/F_r = 20.7 and with the profile it is 3.3 times
+///           differs from (C/F_r)^(10/3): with the ISO profile and C/F_r = 20.7, L10r is 3.3 times
 ///           longer.
 [[nodiscard]] double reference_life(const RollerRatings& ratings,
                                     const bearing::RollerEquilibrium& equilibrium,

@@ -13,8 +13,8 @@
 /// docs/limits.md lists all limits.
 namespace raceway::model {
 
-/// A limit that a result should not exceed. A warning means that the design or the question should
-/// change. A note is for information.
+/// A limit that a result should not exceed. A warning means that the design or the requested
+/// operating point should change. A note is for information.
 struct Limit {
   std::string_view id;     ///< id in JSON documents
   double value;            ///< in `unit`; NaN if it depends on the bearing

@@ -9,8 +9,8 @@
 namespace raceway::model {
 
 /// Returns true if the law or an effect of the model uses ball loads or angles. Laws for the whole
-/// bearing do not use them. With such a law, a bearing with an assumed load can be compared with
-/// measurements without a ball equilibrium.
+/// bearing do not use them. A model with such a law can be compared with measurements even if the
+/// load is only assumed, because no ball equilibrium is solved.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
 /// Effects of a model, by the step at which they act. Create this object once for many predictions.

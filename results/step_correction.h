@@ -11,7 +11,7 @@
 
 namespace raceway::results {
 
-/// Form of K(P) and T(P) in a correction.
+/// Form of gain K(P) and time constant T(P) over the power loss P in a correction.
 enum class StepLaw {
   curve,  ///< table through all points, with K(0) = 0
   power,  ///< K = a P^b, T = c P^d

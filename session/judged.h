@@ -18,8 +18,9 @@
 /// the physical range of a bearing.
 namespace raceway::session {
 
-/// Judges the mounted model: the contact pressure from the preload and the fits of the rings. The
-/// reader of models rejects a preload that steel cannot carry before this function is called.
+/// Judges the mounted model: the contact pressure from the preload, and the interferences in
+/// [seat]. The reader of models rejects a preload that steel cannot carry before this function is
+/// called.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
 /// Returns a note if the interference in [seat] does not change the mounted preload. Returns a

@@ -17,8 +17,8 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the polynomial of the base class. It suits a displacement, because missing effects add
-  /// to it.
+  /// Returns the saturated regression of the base class, with the levels of speed, axial load and
+  /// preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns speed, preload and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;

@@ -92,9 +92,8 @@ class ShaftOnBearings {
 /// in steps. Between the sets, the shaft has the axial stiffness of the arrangement.
 ///
 /// Domain:   `places` contains the centres of the bearings on the shaft, front set first. Each
-/// centre
-///           must be a node of the beam. Throws std::invalid_argument if the number of places
-///           differs from the number of bearings.
+///           centre must be a node of the beam. Throws std::invalid_argument if the number of
+///           places differs from the number of bearings.
 /// Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,
                                              const bearing::Arrangement& arrangement,

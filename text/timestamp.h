@@ -63,7 +63,7 @@ struct ShortTime {
 /// February 1900, which did not exist. Returns nothing outside the years of Excel, 1900 to 9999.
 [[nodiscard]] std::optional<double> seconds_of_excel(double days);
 
-/// Returns a text such as "2024-03-12T08:15:00.5", for the years 0 to 9999.
+/// Returns a text such as "2024-03-12T08:15:00.500", for the years 0 to 9999.
 [[nodiscard]] std::string timestamp_text(double seconds);
 
 }  // namespace raceway::text

@@ -45,7 +45,8 @@ struct Gate {
   /// tested.
   double allowed_p_value = 0.0;
   Eigen::VectorXd scores;  ///< score of each column; 0 if the column is not visible
-  /// Share of a column that remains after the tangent is projected off [1].
+  /// Share of a column that remains after the tangent (the derivatives by the base parameters) is
+  /// projected off [1].
   Eigen::VectorXd visibility;
   Eigen::MatrixXd projected;  ///< columns after the tangent is projected off, not normalised
 
