@@ -49,8 +49,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] virtual Expected expected() const = 0;
 
-  /// Returns a subject with the temperature range of the record. If the rig gives no ambient
-  /// temperature, the coldest row gives it.
+  /// Returns a subject with the temperature range of the record; null if the record has no
+  /// temperatures. If the rig gives no ambient temperature, the coldest row gives it.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
