@@ -33,8 +33,8 @@ class ContactMemory {
     (void)remember(balls, s, values, result);
   }
   /// Returns the total moment of the state `s` and the slope of this moment with temperature along
-  /// ν(T) of the oil. Both are for a stored temperature near s.temperature, or for s.temperature
-  /// itself.
+  /// ν(T) of the oil. Moment and slope are for a stored temperature near s.temperature, or for
+  /// s.temperature itself.
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);

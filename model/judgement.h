@@ -98,9 +98,9 @@ struct JudgedBearing {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
 };
 
-/// Judges points one by one. It finds balls that have lost the inner race, balls that do not lie
-/// against the shoulders of an angular-contact bearing (bearing/seat.h), and exceeded limits. For
-/// each of them it keeps the number of points and the worst point.
+/// Judges points one by one. A judge finds balls that have lost the inner race, balls that do not
+/// lie against the shoulders of an angular-contact bearing (bearing/seat.h), and exceeded limits.
+/// For each finding, the judge stores the number of points and the worst point.
 class Judge {
  public:
   explicit Judge(const Model& model);

@@ -41,8 +41,8 @@ struct Expected {
 /// Subject for a model; the common base of the subjects for rig and shaft.
 ///
 /// User-defined effects that are only candidates (see waiting_effects()) keep their place in the
-/// model, so that addresses agree with the file. They have no influence until they are switched on.
-/// A switched-on candidate of the catalogue is added at the end.
+/// model, so that addresses agree with the file. These effects have no influence until they are
+/// switched on. A switched-on candidate of the catalogue is added at the end.
 class ModelSubject : public fit::Subject {
  public:
   /// Returns the model as entered by the user, including effects that are only candidates.

@@ -55,7 +55,8 @@ struct StepCorrection {
 };
 
 /// Returns the text and the tables of a model from step_model(). Tables are in the folder of
-/// `path`. Their names begin with the name of the model file: c_friction.csv for c.toml.
+/// `path`. The names of the tables begin with the name of the model file: c_friction.csv for
+/// c.toml.
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 

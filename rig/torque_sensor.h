@@ -58,8 +58,8 @@ struct SensedTorque {
   double common;
 };
 
-/// Returns the torque of a signal [V]. Its standard deviations are linearised. `signal_std` [V]
-/// replaces the scatter of one reading; NaN keeps the scatter.
+/// Returns the torque of a signal [V]. The standard deviations of the torque are linearised.
+/// `signal_std` [V] replaces the scatter of one reading; NaN keeps the scatter.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);
 

@@ -26,7 +26,7 @@ class ShaftSubject : public model::ModelSubject {
   /// wrong unit, or that has the opposite sign.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the axes for next measurements. If the preload does not vary in the record, they
+  /// Returns the axes for next measurements. If the preload does not vary in the record, the axes
   /// include other preloads.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;

@@ -30,7 +30,7 @@ struct RollerSupport {
   double position = unset;  ///< distance behind the nose face [m]
 };
 
-/// All bearings that support a shaft. The struct stores pointers to them.
+/// All bearings that support a shaft. The struct stores pointers to the bearings.
 struct ShaftBearings {
   /// Null if the shaft has no sets: it then has no axial support and is assumed not to move
   /// axially.
@@ -41,13 +41,13 @@ struct ShaftBearings {
 
 /// Shaft bent on its bearings. If the solver did not converge, only `report` is valid.
 struct LoadedShaft {
-  double position = unset;           ///< x of the shaft, defined as in ArrangementEquilibrium [m]
-  double rear_displacement = unset;  ///< δ_r [m]
+  double position = unset;           ///< axial position as in ArrangementEquilibrium [m]
+  double rear_displacement = unset;  ///< axial displacement of the rear set [m]
   double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes
   /// Loads on the inner ring of each bearing, and the equilibrium of the balls with displacement
-  /// and tangent stiffness. Both are in the frame of the bearing: +x is the direction in which the
-  /// inner ring is pressed.
+  /// and tangent stiffness. Loads and equilibrium are in the frame of the bearing: +x is the
+  /// direction in which the inner ring is pressed.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
   /// State of the roller bearings, in a frame with x to the rear. `load` is the load from the

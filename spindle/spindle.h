@@ -56,9 +56,9 @@ struct BearingState {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
   double force = unset;         ///< axial force [N]
   double radial_force = unset;  ///< [N]
-  double clearance = unset;  ///< s, diametral clearance of a roller bearing; negative: preload [m]
-  double power = unset;      ///< friction loss of the bearing [W]
-  double power_band = 0.0;   ///< half width of the 95 % band from a friction table [W]
+  double clearance = unset;     ///< diametral clearance of a roller bearing; negative: preload [m]
+  double power = unset;         ///< friction loss of the bearing [W]
+  double power_band = 0.0;      ///< half width of the 95 % band from a friction table [W]
 };
 
 /// Heat balance [W]. Heat that leaves the spindle is positive.

@@ -93,8 +93,8 @@ void hold_out(Approximation& approximation, const Recorded& recorded);
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
-/// Standard errors of all parameters. They are widened for the autocorrelation of the residuals and
-/// by the declared error of the model.
+/// Standard errors of all parameters. The standard errors are widened for the autocorrelation of
+/// the residuals and by the declared error of the model.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
   double condition = unset;  ///< condition number of the derivatives, columns scaled to length 1

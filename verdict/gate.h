@@ -9,9 +9,9 @@
 namespace raceway::verdict {
 
 /// Standard normal numbers for the null distribution of the largest score. The numbers are drawn at
-/// first use. They are identical for all gates of a diagnosis, and for all diagnoses with the same
-/// number of scores. The first call of p_value() draws the numbers, so several threads must not
-/// call p_value() at the same time.
+/// first use. The numbers are identical for all gates of a diagnosis, and for all diagnoses with
+/// the same number of scores. The first call of p_value() draws the numbers, so several threads
+/// must not call p_value() at the same time.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
