@@ -28,7 +28,7 @@ struct PowerAtSpeed {
 struct StepCorrectionParts {
   std::string name = {};                              ///< name of the model
   std::vector<PowerAtSpeed> power = {};               ///< in order of rising speed
-  std::optional<shaft::KinematicLaw> kinematic = {};  ///< empty: no instant part
+  std::optional<shaft::KinematicLaw> kinematic = {};  ///< kinematic law; empty: none
   StepLaw law = StepLaw::curve;
   bool two_lags = false;  ///< true: a fast and a slow delay element
 };

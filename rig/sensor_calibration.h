@@ -12,7 +12,8 @@ namespace raceway::rig {
 
 /// One reading of a calibration. Readings are in the order in which they were taken.
 struct SensorReading {
-  double torque = unset;  ///< from weights on an arm or a reference sensor; taken as exact [N m]
+  /// Reference torque, from weights on an arm or from a reference sensor; treated as exact [N m].
+  double torque = unset;
   double signal = unset;  ///< [V]
   int line = 0;           ///< line in the file, for messages
 };

@@ -56,7 +56,7 @@ struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;                  ///< spacers at inner rings, if no clamping force is given
+  Joints clamped;                  ///< spacers to inner rings, without a clamping force
   std::vector<ClampedFace> faces;  ///< faces with a clamping force, not in the groups above
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;

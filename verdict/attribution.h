@@ -18,7 +18,7 @@ struct Explanation {
   fit::ResponseFit fit{};
   /// Base parameters, then the parameters of the candidates.
   std::vector<record::Parameter> parameters{};
-  double gain = unset;    ///< see RankedEffect::gain; relative to the base model
+  double gain = unset;    ///< as RankedEffect::gain, relative to the base model
   bool ran_away = false;  ///< true if the fit diverged and the size is outside its plausible bounds
   /// Start values of the full fit if this fit is coarse; empty after a full fit.
   std::vector<Eigen::VectorXd> starts{};

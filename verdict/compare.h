@@ -93,7 +93,7 @@ struct Comparison {
   std::vector<RowError> worst{};      ///< the five worst rows, worst first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
   std::vector<std::size_t> rows_not_predicted{};  ///< rows with a reading but without a prediction
-  std::string statement{};  ///< one sentence: size and place of the error, structure or noise
+  std::string statement{};  ///< text: size and place of the error, structure or noise
 };
 
 /// Returns the noise of a measured channel, by estimate_noise(). For a model that only approximates
