@@ -31,7 +31,7 @@ namespace raceway::life {
 /// Source:   [ISO281, eqs. 31 to 33], as quoted in two texts, not checked against the print. One
 ///           public program has p = 0.019087 in the second range. This is a misprint, because the
 ///           curve would not be continuous with it.
-/// Domain:   κ >= 0.1, NaN below; fatigue_ratio >= 0. Steel only. The factor is undefined for
+/// Domain:   κ >= 0.1, NaN below; fatigue_ratio >= 0. Only for steel. The factor is undefined for
 ///           hybrid bearings, although makers use the same factor for them.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
 

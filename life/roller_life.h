@@ -15,7 +15,7 @@ namespace raceway::life {
 /// Dynamic load rating C = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27) [N; mm]. Source: [ISO281], from
 /// memory.
 /// Accuracy: the code agrees with the formula to rounding error. Makers define the effective length
-///           differently, so their C differs.
+///           differently, so the load rating C of makers differs.
 [[nodiscard]] double dynamic_load_rating(const bearing::RollerGeometry& geometry);
 
 /// Static load rating C0 of the geometry if it is given, else 44 (1 - γ) Z L D [N; mm]. Source:

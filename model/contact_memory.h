@@ -38,7 +38,7 @@ class ContactMemory {
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);
-  /// Returns the temperature of the last requested tangent [K]; NaN if there was none.
+  /// Returns the temperature of the last requested tangent [K]; NaN if no tangent was requested.
   [[nodiscard]] double last_temperature() const { return last_temperature_; }
 
  private:

@@ -128,7 +128,7 @@ struct RollerOnShaft {
   bearing::RollerBearing bearing;
   double f0 = unset, f1 = unset;  ///< [1]
   friction::F1Load counted = friction::F1Load::rollers;
-  /// Diametral fits of its own seats [m]; NaN means the values of Seat.
+  /// Diametral fits of the seats of this bearing [m]; NaN means the values of Seat.
   double inner_interference = unset, outer_clearance = unset;
   /// Conductance in addition to the contacts [W/K]; NaN means the value of the ball bearings.
   double lubricant_conductance = unset;

@@ -22,7 +22,7 @@ namespace raceway::shaft {
 class BalancedRows {
  public:
   struct Row {
-    model::Row row;  ///< row; ring temperatures that were not recorded come from the model
+    model::Row row;  ///< row of the record; missing ring temperatures come from the model
     std::optional<bearing::SetTemperatures> temperatures;
     std::vector<effects::Condition> bearings{};  ///< changes by effects, front set first
     bearing::ArrangementEquilibrium equilibrium{};

@@ -32,7 +32,7 @@ struct RollerSupport {
 
 /// All bearings that support a shaft. The struct stores pointers to the bearings.
 struct ShaftBearings {
-  /// Null if the shaft has no sets: it then has no axial support and is assumed not to move
+  /// Null if the shaft has no sets. The shaft then has no axial support and is assumed not to move
   /// axially.
   const bearing::Arrangement* sets = nullptr;
   std::vector<double> places = {};  ///< centres of the bearings of the sets, front set first [m]

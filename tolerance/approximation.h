@@ -88,8 +88,8 @@ void require_fit(const Approximation& approximation);
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
 /// Repeats the fit on single rows almost without a ridge, starting from the previous result. If the
-/// values then diverge, it uses the ridge. For more than 20 000 rows, it uses means instead of
-/// single rows. `rows` receives the fitted data.
+/// values then diverge, the function uses the ridge. For more than 20 000 rows, it uses means
+/// instead of single rows. `rows` receives the fitted data.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 

@@ -87,9 +87,9 @@ class Attribution {
   /// Returns the negative linearised gains of pairs, best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  /// Adds one candidate. The fit is coarse and starts from the given sizes. If the coarse fit is
-  /// worse than the better given fit, a full fit replaces it. The full fit also starts from half
-  /// the sizes.
+  /// Adds one candidate to an explanation. The fit is coarse and starts from the given sizes. If
+  /// the coarse fit is worse than the better given fit, a full fit replaces it. The full fit also
+  /// starts from half the sizes.
   [[nodiscard]] Explanation refit_together(const Explanation& first,
                                            const Explanation& single) const;
   /// Returns true for a candidate that corrects a datum.
@@ -97,7 +97,7 @@ class Attribution {
   [[nodiscard]] bool has_datum(const Explanation& e) const;
   /// Returns the parameter values of one candidate.
   [[nodiscard]] Eigen::VectorXd values_of(const Explanation& e, std::size_t member) const;
-  /// Computes the gain of a fit. Marks a fit that ran away as not converged.
+  /// Computes the gain of a fit. Marks a diverged fit as not converged.
   void judge(Explanation& e) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const fit::Screened* const> on,
                                                     const fit::Response& response) const;

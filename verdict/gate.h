@@ -55,8 +55,8 @@ struct Gate {
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
-/// Smallest visibility of a column whose score is tested [1]. Below it, the base parameters absorb
-/// the effect.
+/// Smallest visibility of a column whose score is tested [1]. Below this visibility, the base
+/// parameters absorb the effect.
 constexpr double invisible = 0.02;
 
 /// Applies the gate. All arguments are whitened. `one_sided` marks columns for which only a
