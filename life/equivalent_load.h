@@ -14,7 +14,7 @@ struct LoadFactors {
 ///
 ///   up to 15 deg    function of F_a/(Z D²) from 0.172 to 6.89 N/mm²; outside, the value at the end
 ///   from 20 deg     function of the contact angle only
-///   between         linear, interpolated in the load first; 0 to 5 deg: as a deep groove
+///   between         linear, interpolated in the load first; 0 to 5 deg: deep groove values
 ///
 /// Catalogues use f0 F_a/C0 as the first column. Because C0 = f0 Z D² cos α, this value equals
 /// F_a/(Z D² cos α), so f0 is not needed.

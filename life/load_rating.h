@@ -6,7 +6,8 @@
 namespace raceway::life {
 
 /// Factor f_c of the dynamic rating of single-row radial and angular contact ball bearings [1], as
-/// a function of γ = D cos α/d_m. Linear between the table values at steps of 0.01.
+/// a function of γ = D cos α/d_m. The factor is linear in γ between table values, which have steps
+/// of 0.01 in γ.
 ///
 /// Source:   [ISO281, table 2], from two transcripts that agree, not checked against the print.
 /// Domain:   γ from 0.01 to 0.40; NaN outside.
@@ -21,7 +22,8 @@ namespace raceway::life {
 ///   C = 1.3 f_c cos^0.7 α Z^(2/3) D^1.8              D <= 25.4 mm
 ///   C = 1.3 f_c cos^0.7 α Z^(2/3) 3.647 D^1.4        D >  25.4 mm
 ///
-/// Dimensional as published: D [mm], C [N]; converted here. α is the nominal contact angle.
+/// The published formula has D in mm and C in N; the function converts D. α is the nominal contact
+/// angle.
 /// Source:   [ISO281, eqs. 1, 2, and table 1 for the factor 1.3], from transcripts, not checked
 ///           against the print.
 /// Domain:   α from 0 to 45 deg (a radial bearing) and γ of rating_factor(); NaN outside.

@@ -7,7 +7,8 @@ namespace raceway::life {
 ///   ν1 = 45000 n^-0.83 d_m^-0.5     n < 1000 rpm
 ///   ν1 = 4500 n^-0.5 d_m^-0.5       n >= 1000 rpm
 ///
-/// Dimensional as published: ν1 [mm²/s], n [rpm], d_m [mm]; converted here.
+/// The published formulas have ν1 in mm²/s, n in rpm and d_m in mm; the function converts the
+/// units.
 /// Source:   [ISO281, eqs. 28, 29], as quoted in two texts, not checked against the print. The
 ///           published formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up
 ///           to 16 % lower.
@@ -30,7 +31,7 @@ namespace raceway::life {
 /// Source:   [ISO281, eqs. 31 to 33], as quoted in two texts, not checked against the print. One
 ///           public program has p = 0.019087 in the second range. This is a misprint, because the
 ///           curve would not be continuous with it.
-/// Domain:   κ >= 0.1, NaN below; fatigue_ratio >= 0. Steel only. The factor is undefined for
+/// Domain:   κ >= 0.1, NaN below; fatigue_ratio >= 0. Only for steel. The factor is undefined for
 ///           hybrid bearings, although makers use the same factor for them.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
 

@@ -38,7 +38,8 @@ struct RaceRatings {
 [[nodiscard]] double reference_life(const RaceRatings& ratings, double inner_mean,
                                     double outer_mean);
 
-/// Returns the load that gives this life by ISO 281, P_ref = C/L10r^(1/3) [N].
+/// Returns the load whose basic rating life by ISO 281 equals the reference life, P_ref =
+/// C/L10r^(1/3) [N].
 /// Source: [ISO16281, eq. 11].
 [[nodiscard]] double reference_load(double load_rating, double reference_life);
 

@@ -15,7 +15,7 @@ namespace raceway::life {
 /// Dynamic load rating C = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27) [N; mm]. Source: [ISO281], from
 /// memory.
 /// Accuracy: the code agrees with the formula to rounding error. Makers define the effective length
-///           differently, so their C differs.
+///           differently, so the load rating C of makers differs.
 [[nodiscard]] double dynamic_load_rating(const bearing::RollerGeometry& geometry);
 
 /// Static load rating C0 of the geometry if it is given, else 44 (1 - γ) Z L D [N; mm]. Source:
@@ -29,7 +29,7 @@ namespace raceway::life {
 /// Dynamic roller load ratings of the races, for a million revolutions [N].
 ///
 ///   Q_ci = C/(0.83 · 0.378 Z) (1 + T^4.5)^(2/9),   Q_ce = C/(0.83 · 0.364 Z) (1 + T^-4.5)^(2/9)
-///   T = 1.038 r
+///   T = 1.038 r, with r of roller_rating_factor()
 ///
 /// Source: [ISO16281], as in an open program, not checked against the print.
 struct RollerRatings {
@@ -38,9 +38,9 @@ struct RollerRatings {
 [[nodiscard]] RollerRatings race_ratings(const bearing::RollerGeometry& geometry,
                                          double load_rating);
 
-/// Edge stress factor of slice k = 0 ... 40 [1].
+/// Edge stress factor of slice `lamina` = 0 ... 40 [1].
 ///
-///   1 - 0.01/ln(1.985 |2k - ns - 1|/(2 ns - 2)),  k counted from 1;  1 in the middle
+///   1 - 0.01/ln(1.985 |2k - ns - 1|/(2 ns - 2)),  k = lamina + 1, ns = 41;  1 in the middle
 ///
 /// Source: [ISO16281], as in an open program. The factor for the outer ring in that program is
 ///         wrong.
@@ -56,13 +56,14 @@ struct RollerRatings {
 /// Source:   [ISO16281].
 /// Domain:   converged equilibrium, else NaN; infinite without load.
 /// Trap:     without a profile, the life depends on the number of slices because of the edges. L10r
-///           differs from (C/F_r)^(10/3): at C/F_r = 20.7 and with the profile it is 3.3 times
+///           differs from (C/F_r)^(10/3): with the ISO profile and C/F_r = 20.7, L10r is 3.3 times
 ///           longer.
 [[nodiscard]] double reference_life(const RollerRatings& ratings,
                                     const bearing::RollerEquilibrium& equilibrium,
                                     bool edges = true);
 
-/// Load that gives this life by ISO 281, P_ref = C/L10r^0.3 [N].
+/// Returns the load whose basic rating life by ISO 281 equals the reference life, P_ref =
+/// C/L10r^0.3 [N].
 [[nodiscard]] double roller_reference_load(double load_rating, double reference_life);
 
 /// Basic rating life (C/P)^(10/3), in millions of revolutions [1].

@@ -18,9 +18,9 @@ using verdict::compare;
 
 /// Calls verdict::calibrate_by_noise() or tolerance::calibrate_approximation().
 ///
-/// Throws std::invalid_argument like these functions. It also throws this exception if
-/// profile-likelihood intervals are requested for a model that only approximates, because the
-/// residuals of such a model are autocorrelated.
+/// Throws std::invalid_argument like these functions. The function also throws
+/// std::invalid_argument if profile-likelihood intervals are requested for a model that only
+/// approximates, because the residuals of such a model are autocorrelated.
 [[nodiscard]] verdict::Calibration calibrate(const fit::Subject& subject,
                                              const record::Record& record,
                                              const verdict::CalibrateOptions& options = {});

@@ -6,8 +6,8 @@
 
 namespace raceway::model {
 
-/// Inputs of ball rotation without race control. All are zero with race control. A change of these
-/// inputs changes the equilibrium.
+/// Inputs of ball rotation without race control. All inputs are zero with race control. A change of
+/// these inputs changes the equilibrium.
 struct BallTurning {
   double temperature = 0.0;                                 ///< temperature of the oil [K]
   double viscosity_40C = 0.0, viscosity_100C = 0.0;         ///< [m²/s]

@@ -12,9 +12,9 @@ namespace raceway::model {
 /// Returns true if a parameter of the effect is free in the model.
 [[nodiscard]] bool is_free(const Model& model, std::string_view id);
 
-/// Returns the ids of user-defined effects that have no influence yet (size zero). They are in the
-/// model only as candidates. Effects without a size parameter and effects with a free parameter
-/// are not included.
+/// Returns the ids of user-defined effects that have no influence yet (size zero). Such effects are
+/// in the model only as candidates. Effects without a size parameter and effects with a free
+/// parameter are not included.
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
 /// Returns an effect as a candidate; empty for an effect without a size parameter. For a coast-down
@@ -22,8 +22,8 @@ namespace raceway::model {
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 
-/// Returns the measurements that would separate several rival effects, from the catalogue, in its
-/// order and without repetition.
+/// Returns the measurements that would separate several rival effects, in the order of the
+/// catalogue and without repetition.
 [[nodiscard]] std::vector<std::string> settling_records(
     effects::Form form, const std::vector<std::vector<std::string>>& rivals);
 

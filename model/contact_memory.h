@@ -32,12 +32,13 @@ class ContactMemory {
             std::span<const double> values, const friction::contact::ContactResult& result) {
     (void)remember(balls, s, values, result);
   }
-  /// Returns the total moment of that state and its slope with temperature along ν(T) of the oil,
-  /// about a stored temperature near s.temperature, or about s.temperature itself.
+  /// Returns the total moment of the state `s` and the slope of this moment with temperature along
+  /// ν(T) of the oil. Moment and slope are for a stored temperature near s.temperature, or for
+  /// s.temperature itself.
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);
-  /// Returns the temperature of the last requested tangent [K]; NaN if there was none.
+  /// Returns the temperature of the last requested tangent [K]; NaN if no tangent was requested.
   [[nodiscard]] double last_temperature() const { return last_temperature_; }
 
  private:

@@ -9,15 +9,15 @@ namespace raceway::model {
 /// Position of a row in the course of a measurement; NaN if not every row has a time.
 struct Course {
   double since_start = unset;  ///< time since the start of the day or of the load sweep [s]
-  double direction = unset;    ///< 1 if the speed rose to its value, -1 if it fell
+  double direction = unset;    ///< 1 if the speed rose to its value, also from rest; -1 if it fell
 };
 
 /// Returns the course of every row, in the order of the record.
 ///
 /// A day begins after a pause of more than three hours. The pause must also be more than three
-/// times as long as the step between rows that one row in ten exceeds. A record without such a
-/// pause is one day, or it consists of several load sweeps: a sweep begins if a rising load begins
-/// to fall, or if a falling load begins to rise. Each joined record has its own course.
+/// times as long as the 90 % quantile of the time between rows. A record without such a pause is
+/// one day, or it consists of several load sweeps: a sweep begins if a rising load begins to fall,
+/// or if a falling load begins to rise. Each joined record has its own course.
 [[nodiscard]] std::vector<Course> course_of(const record::Record& record);
 
 }  // namespace raceway::model

@@ -13,8 +13,8 @@
 /// docs/limits.md lists all limits.
 namespace raceway::model {
 
-/// A limit that a result should not exceed. A warning means that the design or the question should
-/// change. A note is for information.
+/// A limit that a result should not exceed. A warning means that the design or the requested
+/// operating point should change. A note is for information.
 struct Limit {
   std::string_view id;     ///< id in JSON documents
   double value;            ///< in `unit`; NaN if it depends on the bearing
@@ -98,9 +98,9 @@ struct JudgedBearing {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
 };
 
-/// Judges points one by one. It finds balls that have lost the inner race, balls that do not lie
-/// against the shoulders of an angular-contact bearing (bearing/seat.h), and exceeded limits. For
-/// each of them it keeps the number of points and the worst point.
+/// Judges points one by one. A judge finds balls that have lost the inner race, balls that do not
+/// lie against the shoulders of an angular-contact bearing (bearing/seat.h), and exceeded limits.
+/// For each finding, the judge stores the number of points and the worst point.
 class Judge {
  public:
   explicit Judge(const Model& model);

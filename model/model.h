@@ -60,7 +60,8 @@ struct Model {
   double coldest = unset, hottest = unset;
   ModelBearing bearing;
   friction::Lubricant lubricant;
-  std::optional<friction::Supply> supply = {};  ///< excludes some effects; empty if not given
+  /// Lubricant supply, which excludes some effects; empty if not given.
+  std::optional<friction::Supply> supply = {};
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   /// load in the laws palmgren and powers, and in all laws for rollers
   friction::F1Load f1_load = friction::F1Load::P0;

@@ -41,16 +41,16 @@ struct Expected {
 /// Subject for a model; the common base of the subjects for rig and shaft.
 ///
 /// User-defined effects that are only candidates (see waiting_effects()) keep their place in the
-/// model, so that addresses agree with the file. They have no influence until they are switched on.
-/// A switched-on candidate of the catalogue is added at the end.
+/// model, so that addresses agree with the file. These effects have no influence until they are
+/// switched on. A switched-on candidate of the catalogue is added at the end.
 class ModelSubject : public fit::Subject {
  public:
   /// Returns the model as entered by the user, including effects that are only candidates.
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] virtual Expected expected() const = 0;
 
-  /// Returns a subject with the temperature range of the record. If the rig gives no ambient
-  /// temperature, the coldest row gives it.
+  /// Returns a subject with the temperature range of the record; null if the record has no
+  /// temperatures. If the rig gives no ambient temperature, the coldest row gives it.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;

@@ -11,8 +11,8 @@
 
 /// Tests data of the model that may be wrong and that affect the readings: contact angle and groove
 /// conformity of bearings on a shaft, and for a spindle the inlet temperature of each coolant
-/// circuit and the position of each thermometer. The program tests them like effects and then
-/// corrects them in the model.
+/// circuit and the position of each thermometer. The program tests these data like effects and then
+/// corrects the data in the model.
 namespace raceway::model {
 
 /// Returns the ids of the data that this model has.
@@ -24,7 +24,7 @@ namespace raceway::model {
 /// Returns the parameter whose value is the datum, with the name of the candidate.
 [[nodiscard]] fit::Parameter own_datum_parameter(const Model& model, std::string_view id);
 
-/// Explains a datum in one sentence, for any model; empty if the id is not a datum.
+/// Explains a datum, for any model; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_explained(std::string_view id);
 
 /// Returns "contact angle 24.1 deg instead of the entered 25"; empty if the id is not a datum.

@@ -34,9 +34,10 @@ namespace raceway::model {
 ///   sensor.NAME.position_mm     sensor.2.position_mm of the third sensor
 ///   mixed-lubrication.K_rs      effect.2.K_rs of the third effect; the name is "id.name"
 ///
-/// Parameters of the bearing exist only with a shaft whose sets have equal bearings. Their values
-/// are valid for all bearings of the arrangement. The preload is a parameter only if it is given as
-/// a force. `neutral` and the plausible range belong to effects and are otherwise NaN.
+/// Parameters of the bearing exist only with a shaft whose sets have equal bearings. The values of
+/// these parameters are valid for all bearings of the arrangement. The preload is a parameter only
+/// if it is given as a force. `neutral` and the plausible range belong to effects and are otherwise
+/// NaN.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
 /// Returns the usual range of an effect's parameter for the size of the model's bearing. If all
@@ -98,9 +99,10 @@ void set(Model& model, const record::Parameter& parameter, double value);
 ///   table            scale
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
-/// Returns the parameters of a model that are free by default. For a spindle it is the first
-/// default parameter of the law, such as f0. For an arrangement with a preload force it is the
-/// preload, because assembly makes it uncertain. Otherwise the defaults of the law apply.
+/// Returns the parameters of a model that are free by default. For a spindle, the first default
+/// parameter of the law is free, such as f0. For an arrangement with a preload force, the preload
+/// is free, because assembly makes the preload uncertain. For all other models, the defaults of the
+/// law apply.
 [[nodiscard]] std::vector<std::string> default_free(const Model& model);
 
 }  // namespace raceway::model

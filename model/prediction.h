@@ -20,8 +20,8 @@ namespace raceway::model {
 struct FrictionPrediction {
   double load = unset;     ///< load moment of the base law at the actual load of the bearing [N m]
   double viscous = unset;  ///< viscous moment of the base law, as reduced by the film [N m]
-  /// Moment of each effect, in the order of the model [N m]. It is 0 for an effect on condition,
-  /// lubricant or reading; the other terms contain the influence of such an effect.
+  /// Moment of each effect, in the order of the model [N m]. The moment is 0 for an effect on
+  /// condition, lubricant or reading; the other terms contain the influence of such an effect.
   std::vector<double> effects;
   /// Result of the contact law for `load` and `viscous`, including effects on the film.
   std::optional<friction::contact::ContactResult> contacts;

@@ -14,9 +14,9 @@
 
 namespace raceway::model {
 
-/// Predicts one row repeatedly with different parameters of one model. It stores the equilibrium,
-/// which is solved again only after a change of the condition, and all other results that a
-/// parameter does not change. See predict_friction() for the steps.
+/// Predicts one row repeatedly with different parameters of one model. The predictor stores the
+/// equilibrium, which is solved again only after a change of the condition, and all other results
+/// that a parameter does not change. See predict_friction() for the steps.
 class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
@@ -91,8 +91,8 @@ class RowPredictor {
   double temperature_, viscosity_;          // values of the row after corrections
   std::optional<friction::Lubricant> oil_;  // set if it differs from the oil of the model
 
-  /// Stored equilibrium for another condition. It is used when a fit returns to a point at which it
-  /// computed differences.
+  /// Stored equilibrium for another condition. This equilibrium is used when a fit returns to a
+  /// point at which the fit computed differences.
   struct KnownBalance {
     effects::Condition condition;
     BallTurning turning;

@@ -119,8 +119,8 @@ enum class Fluid { water, oil };
 
 inline constexpr double l_per_min = 1e-3 / 60;  ///< unit of a flow of coolant [m³/s]
 
-/// A cylindrical roller bearing on the shaft in addition to the sets, free to move axially. Its
-/// friction follows Palmgren's formulas.
+/// A cylindrical roller bearing on the shaft in addition to the sets, free to move axially. The
+/// friction of the bearing follows Palmgren's formulas.
 struct RollerOnShaft {
   std::string name;         ///< gives the columns NAME_clearance_um and others
   double position = unset;  ///< distance behind the nose face [m]
@@ -128,7 +128,7 @@ struct RollerOnShaft {
   bearing::RollerBearing bearing;
   double f0 = unset, f1 = unset;  ///< [1]
   friction::F1Load counted = friction::F1Load::rollers;
-  /// Diametral fits of its own seats [m]; NaN means the values of Seat.
+  /// Diametral fits of the seats of this bearing [m]; NaN means the values of Seat.
   double inner_interference = unset, outer_clearance = unset;
   /// Conductance in addition to the contacts [W/K]; NaN means the value of the ball bearings.
   double lubricant_conductance = unset;
@@ -238,8 +238,8 @@ enum class Cells { coarse, medium, fine };
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// True if friction depends on the forces of the warm sets. False if it depends on the forces of
-  /// the cold sets at the same speed.
+  /// True if friction depends on the forces of the warm sets. False if friction depends on the
+  /// forces of the cold sets at the same speed.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
   double bearing_width = unset;                                     ///< [m]

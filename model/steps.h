@@ -9,8 +9,8 @@
 namespace raceway::model {
 
 /// Returns true if the law or an effect of the model uses ball loads or angles. Laws for the whole
-/// bearing do not use them. With such a law, a bearing with an assumed load can be compared with
-/// measurements without a ball equilibrium.
+/// bearing use neither ball loads nor ball angles. A model with such a law can be compared with
+/// measurements even if the load is only assumed, because no ball equilibrium is solved.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
 /// Effects of a model, by the step at which they act. Create this object once for many predictions.
@@ -36,8 +36,8 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
     const bearing::BearingEquilibrium* equilibrium);
 
 /// Returns the condition of a bearing in the state `entered`: first `given`, then the changes by
-/// the effects of a model. It is not finite if an input is unknown. The bearing may differ from the
-/// bearing of the model.
+/// the effects of a model. The condition is not finite if an input is unknown. The bearing may
+/// differ from the bearing of the model.
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,

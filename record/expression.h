@@ -16,8 +16,8 @@ struct FormulaError : std::invalid_argument {
   std::string unknown_name;  ///< the unknown name; empty for other errors
 };
 
-/// A user-defined formula with operators and functions of muParser. Several threads may evaluate it
-/// at the same time.
+/// A user-defined formula with operators and functions of muParser. Several threads may evaluate
+/// one formula at the same time.
 class Expression {
  public:
   /// Throws FormulaError for an invalid formula and for an unknown name.

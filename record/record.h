@@ -31,7 +31,7 @@ enum class SettingsHold {
   sampled,   ///< valid from its row to the next; the reading in the row was taken with this setting
   from_row,  ///< valid from its row to the next; the reading in the row was taken just before the
              ///< change
-  until_row,  ///< valid from the previous row to its own row
+  until_row,  ///< valid from the previous row to the row of the setting
 };
 
 /// Measured data: columns over rows. Rows are identified by their index; line numbers of the file

@@ -38,9 +38,9 @@ inline constexpr std::string_view offset_kind = "offset";
 /// Returns true for a displacement that is an angle.
 [[nodiscard]] bool is_angle(const Channel& channel);
 /// Converts the unit in a name or a sentence to the unit of a displacement. For a length, the text
-/// is unchanged. For an angle, every "um" becomes "urad": "gain_um_K" becomes "gain_urad_K", and
-/// "1.2 um/K" becomes "1.2 urad/K". Both units are a millionth of the SI unit, so numbers do not
-/// change.
+/// is unchanged. For an angle, every unit "um" becomes "urad": "gain_um_K" becomes "gain_urad_K",
+/// and "1.2 um/K" becomes "1.2 urad/K". Both units are a millionth of the SI unit, so numbers do
+/// not change.
 [[nodiscard]] std::string in_unit_of(const Channel& displacement, std::string_view text);
 
 /// Returns true for an ambient temperature: the name contains the word "ambient", "room" or "air".

@@ -20,7 +20,7 @@ namespace raceway::report {
 
 /// Returns the page of the shaft under a force. `tangent` is the bending line with the stiffness
 /// that the bearings have without the force. `stiff` is the bending line with rigid bearings. Both
-/// have (v, θ) of all nodes [m, rad], or are empty.
+/// bending lines have (v, θ) of all nodes [m, rad], or are empty.
 [[nodiscard]] std::string deflection_report(
     const ModelOfPage& model, const bearing::Arrangement& arrangement, const spindle::Beam& beam,
     const std::vector<double>& places, bool warm, const results::DeflectionResult& result,

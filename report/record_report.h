@@ -14,8 +14,8 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// Page of a record over time. It shows measured and predicted values with the inputs below, the
-/// contribution of each channel, the residual, step responses, and the error of each model or
+/// Page of a record over time. The page shows measured and predicted values with the inputs below,
+/// the contribution of each channel, the residual, step responses, and the error of each model or
 /// effect.
 namespace raceway::report {
 

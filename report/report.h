@@ -18,7 +18,7 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// Writes results as one HTML page with pictures. The page needs no network. It contains the
+/// Writes results as one HTML page with pictures. The page needs no network. The page contains the
 /// document that `--json` prints, the data of the pictures, and the script that draws the pictures
 /// (report/page/). Equal results give identical files. If there are several measured channels, the
 /// page draws the first one.
@@ -53,8 +53,8 @@ struct ModelOfPage {
                                      const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
-/// Operating points of a bearing with the predictions for them. The page draws them in addition to
-/// the curves.
+/// Operating points of a bearing with the predictions for them. The page draws these points in
+/// addition to the curves.
 using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
 /// Returns the page of a table. `measured` may be null. The measured friction torque is the sum of

@@ -53,8 +53,9 @@ struct Crossing {
 
 /// Returns a Campbell diagram with the columns speed_rpm, mode, frequency_Hz, whirl, damping_ratio
 /// (as entered, otherwise empty), front_force_N, rear_force_N, stiffness of each side and each
-/// bearing, frequencies of each bearing, the path of the nose if there is an unbalance, and status.
-/// The diagram has one row for each mode, and one row without a mode for a speed without modes.
+/// bearing, ring temperatures of warm sets, clearance and force of roller bearings, frequencies of
+/// each bearing, the path of the nose if there is an unbalance, and status. The diagram has one row
+/// for each mode, and one row without a mode for a speed without modes.
 [[nodiscard]] std::string campbell_text(const bearing::Arrangement& arrangement,
                                         const std::vector<ModesAtSpeed>& speeds,
                                         std::string_view source, std::string_view model_text);

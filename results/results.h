@@ -32,8 +32,8 @@
 /// `channels` lists all.
 namespace raceway::results {
 
-/// Returns the document of `raceway solve --json`. `band` has one row. If it is null, the document
-/// contains no band. `findings` appear in the member `judgement`, as in all documents with
+/// Returns the document of `raceway solve --json`. `band` has one row. If `band` is null, the
+/// document contains no band. `findings` appear in the member `judgement`, as in all documents with
 /// findings.
 [[nodiscard]] std::string solve_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,

@@ -27,13 +27,13 @@ struct VariedDatum {
 /// Influence of one datum on one prediction with all other data fixed.
 struct LocalSensitivity {
   double derivative = unset;
-  double derivative_error = unset;   ///< difference from the derivative with step h/2
+  double derivative_error = unset;   ///< |derivative - difference quotient with step h/2|
   double change = unset;             ///< derivative times spread
   double low = unset, high = unset;  ///< predictions at value - spread and at value + spread
   double share = unset;              ///< share of the sum of squared changes [1]
   double elasticity = unset;         ///< change in percent per percent [1]
-  /// `kink` means that the slopes on the two sides differ. `steps_disagree` means that the steps h
-  /// and h/2 give different slopes.
+  /// `kink` means that the slopes on the two sides of the value differ. `steps_disagree` means that
+  /// the steps h and h/2 give different slopes.
   bool kink = false, steps_disagree = false;
   bool one_sided = false;  ///< true if the model accepts values on one side only
 };

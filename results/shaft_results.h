@@ -31,8 +31,9 @@ struct DisplacementColumn {
 
 /// Returns the shaft position over speed as CSV: `#` lines with title, version and model text, then
 /// the columns speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
-/// friction_torque_Nmm, power_loss_W, the columns of every bearing, the columns of the band and the
-/// status. Values have 12 digits. `band` has one row for each point, or is null.
+/// friction_torque_Nmm, power_loss_W, axial_position_um, the columns of every bearing, the columns
+/// of the band and the status. Values have 12 digits. `band` has one row for each point, or is
+/// null.
 [[nodiscard]] std::string displacement_text(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,

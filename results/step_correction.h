@@ -11,7 +11,7 @@
 
 namespace raceway::results {
 
-/// Form of K(P) and T(P) in a correction.
+/// Form of gain K(P) and time constant T(P) over the power loss P in a correction.
 enum class StepLaw {
   curve,  ///< table through all points, with K(0) = 0
   power,  ///< K = a P^b, T = c P^d
@@ -28,7 +28,7 @@ struct PowerAtSpeed {
 struct StepCorrectionParts {
   std::string name = {};                              ///< name of the model
   std::vector<PowerAtSpeed> power = {};               ///< in order of rising speed
-  std::optional<shaft::KinematicLaw> kinematic = {};  ///< empty: no instant part
+  std::optional<shaft::KinematicLaw> kinematic = {};  ///< kinematic law; empty: none
   StepLaw law = StepLaw::curve;
   bool two_lags = false;  ///< true: a fast and a slow delay element
 };
@@ -55,7 +55,8 @@ struct StepCorrection {
 };
 
 /// Returns the text and the tables of a model from step_model(). Tables are in the folder of
-/// `path`. Their names begin with the name of the model file: c_friction.csv for c.toml.
+/// `path`. The names of the tables begin with the name of the model file: c_friction.csv for
+/// c.toml.
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 

@@ -13,9 +13,9 @@
 namespace raceway::results {
 
 /// Returns the columns speed_rpm, power_start_W, power_end_W, kinematic_um, K_um, T_min,
-/// fit_rms_um, the two lags K1_um, T1_min (the faster) and K2_um, T2_min, fit_rms_two_um,
-/// highest_front_force_N and status, plus columns for the load of load steps, and load_case for
-/// imported responses. `model_text` may be empty.
+/// fit_rms_um, the two lags K1_um, T1_min (the faster) and K2_um, T2_min, fit_rms_two_um, end_um,
+/// front_force_N, highest_front_force_N and status, plus columns for the load of load steps, and
+/// load_case for imported responses. `model_text` may be empty.
 [[nodiscard]] std::string step_responses_text(const spindle::StepResponses& responses,
                                               std::string_view source, std::string_view model_text);
 

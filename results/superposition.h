@@ -39,7 +39,7 @@ struct Superposition {
 /// standstill. No step response contains this sequence.
 [[nodiscard]] record::Record trial_programme(double fastest);
 
-/// Returns "0.42 um rms, 1.9 um at most (after 3.20 h), with a travel of 57.3 um".
+/// Returns "0.42 um rms, 1.9 um at most (after 3.20 h); the displacement varies by 57.3 um".
 [[nodiscard]] std::string superposition_text(const Superposition& s);
 
 }  // namespace raceway::results

@@ -34,10 +34,10 @@ struct Fall {
 ///   M = J (ω1 - ω2)/t   at   ω_e = speed_of_mean_torque(ω1, ω2, p) (1 + (p'/p) s²/24)
 ///
 /// The exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the
-/// row and its neighbours. Neighbours are falls of the same run with the same inputs, if their
-/// middle is more than half a fall away. At an end, the next two falls are used. For two falls, p'
-/// is 0; for a single fall, p = 2/3, as for a viscous moment. With these values, ω_e is correct to
-/// second order in s for every smooth law.
+/// row and its neighbours. A neighbour is the nearest lower or higher fall of the same run with the
+/// same other inputs. The middle speed of a neighbour lies outside the fall of the row. At an end,
+/// the next two falls are used. For two falls, p' is 0; for a single fall, p = 2/3, as for a
+/// viscous moment. With these values, ω_e is correct to second order in s for every smooth law.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
 /// The speed of the record is replaced. If every fall has a standard deviation of the time, the

@@ -13,7 +13,7 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
   void require(const fit::Record& record) const override;
   /// Returns the equilibria for the values of the model file. Predictors that need an equilibrium
-  /// use them as start values.
+  /// use these equilibria as start values.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,

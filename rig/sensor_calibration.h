@@ -12,7 +12,8 @@ namespace raceway::rig {
 
 /// One reading of a calibration. Readings are in the order in which they were taken.
 struct SensorReading {
-  double torque = unset;  ///< from weights on an arm or a reference sensor; taken as exact [N m]
+  /// Reference torque, from weights on an arm or from a reference sensor; treated as exact [N m].
+  double torque = unset;
   double signal = unset;  ///< [V]
   int line = 0;           ///< line in the file, for messages
 };
@@ -29,7 +30,7 @@ inline constexpr double sensor_significance = 0.01;
 ///
 /// N readings at L torques; the curve has p coefficients. Source: [NISThandbook, 4.4.4.6].
 struct LackOfFit {
-  double statistic = unset;            ///< F statistic; NaN without repeats
+  double statistic = unset;            ///< F statistic; NaN without a test
   double p_value = unset;              ///< [1]
   int degrees = 0, error_degrees = 0;  ///< L - p, N - L
   double repeatability = unset;        ///< standard deviation within repeats [V]

@@ -22,14 +22,15 @@ namespace raceway::rig {
 ///           known much better than the signal, and the scatter of the signal would reduce the
 ///           slope of a fit of M over V.
 struct TorqueSensor {
-  Eigen::VectorXd coefficients{};   ///< b_k [V/(N m)^k]
-  Eigen::MatrixXd covariance{};     ///< covariance of the coefficients
-  double scatter = unset;           ///< standard deviation of one reading of the signal [V]
-  double lowest_torque = unset;     ///< range of the calibration [N m]
-  double highest_torque = unset;    ///< [N m]
-  double lowest_signal = unset;     ///< range of the signal in the calibration [V]
-  double highest_signal = unset;    ///< [V]
-  std::optional<double> zero = {};  ///< signal without torque on the day; replaces V(0) [V]
+  Eigen::VectorXd coefficients{};  ///< b_k [V/(N m)^k]
+  Eigen::MatrixXd covariance{};    ///< covariance of the coefficients
+  double scatter = unset;          ///< standard deviation of one reading of the signal [V]
+  double lowest_torque = unset;    ///< range of the calibration [N m]
+  double highest_torque = unset;   ///< [N m]
+  double lowest_signal = unset;    ///< range of the signal in the calibration [V]
+  double highest_signal = unset;   ///< [V]
+  /// Signal without torque on the day of the record [V]; replaces V(0).
+  std::optional<double> zero = {};
   /// Standard deviation of `zero` [V]; default: `scatter`, for a single reading.
   std::optional<double> zero_std = {};
   std::string source = {};  ///< file of the calibration, for messages
@@ -50,15 +51,15 @@ struct TorqueSensor {
 struct SensedTorque {
   double torque;  ///< M with V(M) = V, or V(M) - V(0) = V - zero [N m]
   double std;     ///< sqrt(scatter²/V'(M)² + common²) [N m]
-  /// Standard deviation of the error from the calibration and the zero of the day [N m]:
-  /// sqrt(gᵀ C g + s²) / |V'|. Without a zero of the day, g = ∂V/∂b at M and s = 0. With a zero, g
-  /// is ∂V/∂b at M minus ∂V/∂b at 0, and s is the standard deviation of the zero. All readings of a
-  /// record share this error, and averaging does not reduce it.
+  /// Standard deviation of the error from the calibration and `TorqueSensor::zero` [N m]: sqrt(gᵀ C
+  /// g + s²) / |V'|. Without `zero`, g = ∂V/∂b at M and s = 0. With `zero`, g is ∂V/∂b at M minus
+  /// ∂V/∂b at 0, and s is the standard deviation of `zero`. All readings of a record share this
+  /// error, and averaging does not reduce it.
   double common;
 };
 
-/// Returns the torque of a signal [V]. Its standard deviations are linearised. `signal_std` [V]
-/// replaces the scatter of one reading; NaN keeps the scatter.
+/// Returns the torque of a signal [V]. The standard deviations of the torque are linearised.
+/// `signal_std` [V] replaces the scatter of one reading; NaN keeps the scatter.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);
 

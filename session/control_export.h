@@ -42,8 +42,8 @@ struct HalFiles {
 void require_trust(const control::ControlPlan& plan);
 
 /// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name; empty or "-"
-/// if there is no file. The file name is also the prefix of the C functions and the name of the HAL
-/// component.
+/// if there is no file. The file name without its ending is also the prefix of the C functions and
+/// the name of the HAL component.
 [[nodiscard]] ControlExport export_plan(control::ControlPlan plan, const std::string& format,
                                         const std::string& output);
 

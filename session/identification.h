@@ -38,8 +38,8 @@ struct Identified {
   SeriesQuestion asked{};
   std::string baseline{};  ///< model to compare with: "regression" or empty
   std::vector<correction::Identification> found{};
-  /// Errors on a record that no fit used, and warnings on this record. Both lists are empty before
-  /// validate().
+  /// Errors on a record that no fit used, and warnings on this record. `validations` and
+  /// `validation_warnings` are empty before validate().
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 

@@ -18,8 +18,9 @@
 /// the physical range of a bearing.
 namespace raceway::session {
 
-/// Judges the mounted model: the contact pressure from the preload and the fits of the rings. The
-/// reader of models rejects a preload that steel cannot carry before this function is called.
+/// Judges the mounted model: the contact pressure from the preload, and the interferences in
+/// [seat]. The reader of models rejects a preload that steel cannot carry before this function is
+/// called.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
 /// Returns a note if the interference in [seat] does not change the mounted preload. Returns a
@@ -29,7 +30,7 @@ namespace raceway::session {
 /// Returns the warnings among the findings as notes.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
-/// Returns findings as notes. An exceeded limit of running bearings becomes a warning.
+/// Returns all findings as notes. Findings with `is_warning` become warnings.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
 /// Judges the sets of a shaft.

@@ -7,8 +7,8 @@
 
 namespace raceway::session {
 
-/// Receives the notes and warnings on an answer. The command prints both on stderr. Python stores
-/// notes in the result and issues warnings.
+/// Receives the notes and warnings on an answer. The command prints notes and warnings on stderr.
+/// Python stores notes in the result and issues warnings.
 class Messages {
  public:
   virtual ~Messages() = default;

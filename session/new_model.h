@@ -17,8 +17,8 @@ struct NewModel {
       /// for a catalogue bearing
       outline{};
   double contact_angle = unset;  ///< contact angle of a bearing outside the catalogue [deg]
-  /// Friction law: "palmgren", "skf" or "contact". Empty means contact for balls on a rig and
-  /// palmgren otherwise.
+  /// Friction law: "palmgren", "skf" or "contact". An empty text means contact for balls on a rig
+  /// and palmgren otherwise.
   std::string law{};
   bool spindle = false;  ///< true: three of these bearings in a spindle; false: one on a rig
   std::string oil{};     ///< ISO VG grade (files/oil_grade.h); empty: a thin spindle oil

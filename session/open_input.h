@@ -17,7 +17,7 @@ namespace raceway::session {
 enum class Accepts { rig, rig_or_shaft, shaft };
 
 /// `count` adds a note with the number of default values in a model. `keep` adds no such note: use
-/// it for a command that lists the defaults, and if the same model is opened again.
+/// `keep` for a command that lists the defaults, and if the same model is opened again.
 enum class Defaults { count, keep };
 
 /// Sends notes on a file as messages. Each text begins with the name of the file.

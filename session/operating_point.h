@@ -16,7 +16,7 @@
 namespace raceway::session {
 
 /// Requested operating point. NaN stands for the value of the model: axial load (on a shaft the
-/// external axial load), radial load and temperature of the rig.
+/// external axial load), radial load and temperature of the rig. A moment that is NaN is 0.
 struct AskedPoint {
   double speed_rpm = unset, axial_load_N = unset, radial_load_N = unset, temperature_C = unset,
          moment_y_Nmm = unset, moment_z_Nmm = unset;

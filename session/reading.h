@@ -22,8 +22,8 @@ struct Reading {
   /// is given together with several data files.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
   /// Returns the options for reading measurements: with the column map of the flag, otherwise with
-  /// [columns] of the model. Throws text::InputError if a period is given, because the rows of a
-  /// friction rig are not a time series.
+  /// [columns] of the model. Throws text::InputError if a period is given, because only corrections
+  /// accept a period.
   [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;
   [[nodiscard]] files::ReadOptions options(const files::ColumnMap& of_model) const;
   /// Returns the options for reading without a model.

@@ -16,8 +16,8 @@
 namespace raceway::session {
 
 struct SensitivityQuestion {
-  /// Predictions as words ("torque") or column names. Empty means the torque of a bearing and the
-  /// displacement of a shaft or spindle.
+  /// Predictions as words ("torque") or column names. An empty list means the torque of a bearing
+  /// and the displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
   /// Operating points: all combinations of these values. Speeds are required. If another list is
   /// empty, the value of the model is used.
@@ -28,7 +28,8 @@ struct SensitivityQuestion {
   /// If `inputs` is empty, the model gives these values.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
-  /// Names of the data to vary; the name of a table includes all its data. Empty means all data.
+  /// Names of the data to vary; the name of a table includes all its data. An empty list means all
+  /// data.
   std::vector<std::string> data{};
   std::size_t samples = 0;  ///< number of samples for the global indices; 0: no indices
   std::uint64_t seed = 1;

@@ -42,8 +42,9 @@ struct PointAnswer {
                                      const bearing::OperatingPoint& point,
                                      const PointAnswer& answer);
 
-/// Returns notes on an answer: the findings, and bearings or balls that may skid. Exceeded limits
-/// of running bearings and contact ellipses that reach over the shoulder are warnings.
+/// Returns notes on an answer: the findings, and the notes on loads and contacts of the bearings.
+/// Findings with `is_warning`, unloaded bearings of a shaft, and contact ellipses that reach over a
+/// shoulder give warnings.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

@@ -14,8 +14,8 @@
 namespace raceway::session {
 
 /// Array of the caller, read in place. Each stride is the number of bytes from one number to the
-/// next; 0 means that one number is used for all states. If there are no data, the value of the
-/// model is used.
+/// next along one dimension; 0 repeats the number along this dimension. If there are no data, the
+/// value of the model is used.
 struct NumberArray {
   const char* data = nullptr;
   std::vector<std::ptrdiff_t> strides{};

@@ -60,8 +60,8 @@ struct SpindleRun {
 };
 
 /// Simulates a spindle. Throws text::InputError if the model is not a spindle, if the programme has
-/// no time or no speed, contains several runs or begins before 0 s, or if the initial state belongs
-/// to another spindle.
+/// no time or no speed or contains several runs, if it begins before 0 s and no initial state is
+/// given, or if the initial state belongs to another spindle.
 [[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                                           const RunQuestion& question);
 

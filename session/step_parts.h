@@ -30,8 +30,8 @@ struct StepParts {
 };
 
 /// Returns these parts of a correction. Powers come from the steps if the steps give speeds.
-/// Otherwise they come from the friction of the model, up to the largest power of the steps. The
-/// kinematic law comes from the model. Without a model, this law comes from the immediate
+/// Otherwise the powers come from the friction of the model, up to the largest power of the steps.
+/// The kinematic law comes from the model. Without a model, this law comes from the immediate
 /// displacements of the steps. `model` may be null.
 [[nodiscard]] StepParts step_parts(const spindle::StepResponses& responses,
                                    const model::Model* model, double temperature);

@@ -14,15 +14,15 @@ namespace raceway::shaft {
 /// equilibrium is solved again only if the mounted sets, their condition or the inputs of ball
 /// rotation have changed.
 ///
-/// The axial load of a row is the external load. Without a recorded load, the model gives it. The
-/// recorded preload force at standstill and recorded ring temperatures replace the values of the
-/// model. Balls, shaft and housing keep the temperatures of the model if it gives any. Otherwise,
-/// the balls have the mean temperature of the rings, the shaft has the temperature of the inner
-/// ring, and the housing has the temperature of the outer ring.
+/// The axial load of a row is the external load. Without a recorded load, the model gives the load.
+/// The recorded preload force at standstill and recorded ring temperatures replace the values of
+/// the model. Balls, shaft and housing keep the temperatures of the model if it gives any.
+/// Otherwise, the balls have the mean temperature of the rings, the shaft has the temperature of
+/// the inner ring, and the housing has the temperature of the outer ring.
 class BalancedRows {
  public:
   struct Row {
-    model::Row row;  ///< row; ring temperatures that were not recorded come from the model
+    model::Row row;  ///< row of the record; missing ring temperatures come from the model
     std::optional<bearing::SetTemperatures> temperatures;
     std::vector<effects::Condition> bearings{};  ///< changes by effects, front set first
     bearing::ArrangementEquilibrium equilibrium{};

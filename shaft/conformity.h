@@ -36,15 +36,15 @@ struct ConformityFit {
 /// preload: twice the rigidity of one bearing at that load [N/m]. NaN if there is no equilibrium.
 [[nodiscard]] double pair_rigidity(const bearing::Bearing& bearing, double preload);
 
-/// Fits one groove conformity for both races to the pair rigidities of a catalogue. It minimises Σ
-/// ln²(computed/printed) within lowest_conformity..highest_conformity. The conformities in
-/// `bearing` are not used.
+/// Fits one groove conformity for both races to the pair rigidities of a catalogue. The fit
+/// minimises Σ ln²(computed/printed) within lowest_conformity..highest_conformity. The conformities
+/// in `bearing` are not used.
 ///
 /// The rigidity hardly distinguishes the two races, so only a common value can be found. This value
 /// also compensates for all other differences in stiffness between this model and the catalogue,
 /// such as elastic rings.
 /// Accuracy: `std` comes from the scatter of the classes: printed digits, and differences that one
-/// conformity cannot explain. It does not include the maker's method of calculation. A change of
+/// conformity cannot explain. `std` does not include the maker's method of calculation. A change of
 /// the conformity by 0.01 changes the rigidity by 19 % (15 deg) or 12 % (25 deg). Throws
 /// std::invalid_argument without a class and for a preload or a rigidity that is not positive.
 [[nodiscard]] ConformityFit fit_conformity(const bearing::Bearing& bearing,

@@ -17,7 +17,7 @@ class DisplacementRows {
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Computes the readings of all rows [m], like predict_displacement(). `model` must have the same
-  /// effects and temperatures as the previous model; its parameters may differ.
+  /// effects and temperatures as the previous model; the parameters may differ.
   void predict(const Model& model, std::span<double> readings);
 
  private:

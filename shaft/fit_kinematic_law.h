@@ -80,13 +80,13 @@ struct KinematicLawFit {
 ///
 /// Standard errors come from the linearised problem. Without std, the misfit sets their scale. With
 /// std, the standard errors are increased if the misfit exceeds std. A computed curve has no
-/// scatter. Its standard errors show how well this curve determines the parameters. They are not
-/// valid for other curves.
+/// scatter. The standard errors of a computed curve show how well this curve determines the
+/// parameters. These standard errors are not valid for other curves.
 ///
-/// Rows at standstill are not fitted, because the law is zero there. They extend the range of the
-/// law to zero. Throws std::invalid_argument for a value that is not finite, a negative speed, a
-/// std that is not positive, fewer than four different speeds above zero, only zero displacements,
-/// and invalid bounds.
+/// Rows at standstill are not fitted, because the law is zero there. Rows at standstill extend the
+/// range of the law to zero. Throws std::invalid_argument for a value that is not finite, a
+/// negative speed, a std that is not positive, fewer than four different speeds above zero, only
+/// zero displacements, and invalid bounds.
 [[nodiscard]] KinematicLawFit fit_kinematic_law(std::span<const DisplacementPoint> curve,
                                                 const KinematicLawBounds& bounds = {});
 

@@ -53,8 +53,8 @@ struct KinematicLaw {
 ///   du/dn = u/n (1 - B exp(-C n) (1 - C n ln n))
 ///
 /// Domain:   lowest_speed <= speed <= highest_speed. Outside this range, the law does not
-///           extrapolate. It returns the displacement of the nearer end with slope zero and
-///           `inside` false, so a control loop sees neither a step nor a NaN. A NaN speed gives
+///           extrapolate. The function returns the displacement of the nearer end with slope zero
+///           and `inside` false, so a control loop sees neither a step nor a NaN. A NaN speed gives
 ///           NaN.
 /// Traps:    the slope at standstill is infinite for 0 < B < 1.
 inline KinematicDisplacement evaluate(const KinematicLaw& law, double speed) {

@@ -32,9 +32,9 @@ struct SetState {
 ///   a tilt     the sets are solved without a tilt. A bearing that an effect tilts is solved alone
 ///              at its load in the set, with the free contact angle from growth and temperatures
 ///
-/// A bearing without inner contacts carries no load. It has the viscous moment of the base law and
-/// the moments that effects give for balls that touch only the outer race. All other steps are the
-/// same as for a single bearing. Effects on the reading are not included.
+/// A bearing without inner contacts carries no load. Such a bearing has the viscous moment of the
+/// base law and the moments that effects give for balls that touch only the outer race. All other
+/// steps are the same as for a single bearing. Effects on the reading are not included.
 class SetFriction {
  public:
   /// Throws std::invalid_argument for a model without a shaft.
@@ -44,8 +44,8 @@ class SetFriction {
   /// Returns the model of one bearing, on a rig with as many bearings as the sets have. Drag on the
   /// rotor is therefore included once.
   [[nodiscard]] const Model& model(std::size_t i) const { return models_[i]; }
-  /// Returns the steps of a bearing. They contain no conditions, because the equilibrium of the
-  /// sets gives them.
+  /// Returns the steps of a bearing. These steps contain no conditions, because the equilibrium of
+  /// the sets gives the conditions.
   [[nodiscard]] const Steps& steps() const { return steps_; }
   /// Sets the parameter values of a model with the same effects.
   void take(const Model& model);
@@ -54,7 +54,7 @@ class SetFriction {
   /// `steps.equilibrium` is true.
   [[nodiscard]] model::RowPredictor row(std::size_t i, const SetState& sets,
                                         const Steps& steps) const;
-  /// Returns a predictor of bearing i for an unknown speed and load. It predicts NaN.
+  /// Returns a predictor of bearing i for an unknown speed and load. The predictor predicts NaN.
   [[nodiscard]] model::RowPredictor nothing(std::size_t i) const;
 
  private:

@@ -24,7 +24,8 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record) const override;
   /// Returns speed, load (preload and external load together) and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Returns an empty text: a torque cannot have a wrong sign, and files::doubts() checks the unit.
+  /// Returns an empty text: the sign of a torque is not in doubt, and files::doubts() checks the
+  /// unit.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
   /// Returns the other friction laws as base models.

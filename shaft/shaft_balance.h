@@ -20,10 +20,10 @@ struct ShaftCondition {
 
 /// Finds the conditions of the sets of a shaft for their equilibrium, with the changes by effects.
 ///
-/// Effects on balls, fits and mounting act before the shaft first turns. They belong to the mounted
-/// state, in which the sets carry the preload of the model. A preload force keeps its value with
-/// any fit. A preload offset is ground into bearings before they are mounted, so a fit adds to it.
-/// Growth by speed, heat and temperature shifts the grooves from the mounted state.
+/// Effects on balls, fits and mounting act before the shaft first turns. Such effects belong to the
+/// mounted state, in which the sets carry the preload of the model. A preload force keeps its value
+/// with any fit. A preload offset is ground into bearings before they are mounted, so a fit adds to
+/// the offset. Growth by speed, heat and temperature shifts the grooves from the mounted state.
 class ShaftBalance {
  public:
   /// `preload` replaces the preload force of the model [N]. NaN keeps the force of the model.
@@ -59,7 +59,7 @@ class ShaftBalance {
 };
 
 /// Returns the arrangement of a shaft with the balls, fits and mounting from the effects of its
-/// model. If it cannot be mounted, the original arrangement is returned.
+/// model. If the arrangement cannot be mounted, the original arrangement is returned.
 [[nodiscard]] bearing::Arrangement mounted_arrangement(const Model& model);
 
 /// Returns the temperatures of the sets of a shaft. Measured ring temperatures replace the ring

@@ -23,7 +23,7 @@ struct ShaftPoint {
 /// reason.
 struct ShaftPrediction {
   bearing::ArrangementEquilibrium equilibrium;
-  /// u: shaft position relative to standstill with the same external load, as mounted and at the
+  /// Shaft position relative to standstill with the same external load, as mounted and at the
   /// mounting temperature, positive towards the tool [m].
   double displacement = unset;
   std::vector<model::FrictionPrediction> friction;  ///< friction of each bearing, front set first

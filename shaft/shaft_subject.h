@@ -17,8 +17,8 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the polynomial of the base class. It suits a displacement, because missing effects add
-  /// to it.
+  /// Returns the saturated regression of the base class, with the levels of speed, axial load and
+  /// preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns speed, preload and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
@@ -26,7 +26,7 @@ class ShaftSubject : public model::ModelSubject {
   /// wrong unit, or that has the opposite sign.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the axes for next measurements. If the preload does not vary in the record, they
+  /// Returns the axes for next measurements. If the preload does not vary in the record, the axes
   /// include other preloads.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;

@@ -20,8 +20,8 @@ class TorqueRows {
   /// Returns the steps of the model and of the torque reading.
   [[nodiscard]] const Steps& steps() const { return steps_; }
   /// Writes the readings of all rows [N m], like predict_torque(). `model` has the effects and
-  /// temperatures of the previous model. Its other parameters may differ, except parameters that
-  /// act before the stage `from`.
+  /// temperatures of the previous model. The other parameters of `model` may differ, except
+  /// parameters that act before the stage `from`.
   void predict(const Model& model, std::span<double> readings,
                model::Stage from = model::Stage::entry);
 

@@ -79,8 +79,8 @@ struct BeamMesh {
 class Beam {
  public:
   /// Places nodes at changes of section, disks, supports and `places` [m]. Throws
-  /// std::invalid_argument for an impossible value. The message gives its name, its value with
-  /// unit, and the allowed range.
+  /// std::invalid_argument for an impossible value. The message gives the name of the value, the
+  /// value with its unit, and the allowed range.
   Beam(const model::ShaftBody& body, std::span<const double> places, const BeamMesh& mesh = {});
 
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }  ///< [m]

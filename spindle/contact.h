@@ -11,8 +11,8 @@ namespace raceway::spindle {
 /// Two rough surfaces pressed together.
 struct RoughContact {
   double roughness = unset;            ///< Ra [m]
-  double slope = unset;                ///< m, mean asperity slope of the surfaces [1]
-  double hardness = unset;             ///< H, hardness of the softer surface [Pa]
+  double slope = unset;                ///< mean asperity slope m of the surfaces [1]
+  double hardness = unset;             ///< hardness H of the softer surface [Pa]
   double first_conductivity = unset;   ///< λ1 [W/(m K)]
   double second_conductivity = unset;  ///< λ2 [W/(m K)]
 };

@@ -218,9 +218,10 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return (1.0 - share) * laminar(lowest) + share * turbulent(highest);
 }
 
-/// A helical channel with rectangular section, unrolled to a straight one.
+/// A helical channel with a rectangular section of width w and depth d, unrolled to a straight
+/// channel.
 struct Channel {
-  double section = unset;             ///< w d, area of the section [m²]
+  double section = unset;             ///< area w d of the section [m²]
   double hydraulic_diameter = unset;  ///< 2 w d/(w + d) [m]
   double length = unset;              ///< length of the helix [m]
   /// Returns Re = v d_h/ν for a flow [m³/s].

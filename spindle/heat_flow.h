@@ -23,7 +23,7 @@ class HeatFlow {
   struct Step {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt [K/s]
-    double error = 0.0;              ///< estimate for the worst body [K]; 0 if not requested
+    double error = 0.0;              ///< estimated error of the worst body [K]; 0 if not requested
     double energy_error = unset;     ///< stored minus supplied heat, relative to all heat flows [1]
     std::array<double, reservoirs> out_before{}, out_after{};  ///< [W]
   };

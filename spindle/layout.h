@@ -56,12 +56,12 @@ struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;                  ///< spacers at inner rings, if no clamping force is given
+  Joints clamped;                  ///< spacers to inner rings, without a clamping force
   std::vector<ClampedFace> faces;  ///< faces with a clamping force, not in the groups above
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
   std::vector<Joints> coolant_walls;  ///< walls of each channel in model::Spindle::channels()
-  double first_bearing_front = unset, last_bearing_rear = unset;  ///< outermost faces [m]
+  double first_bearing_front = unset, last_bearing_rear = unset;  ///< outermost ring faces [m]
   double housing_start = unset, housing_end = unset;              ///< [m]
   /// centres of the sets [m]; NaN without a rear set
   double front_centre = unset, rear_centre = unset;

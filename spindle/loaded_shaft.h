@@ -30,9 +30,9 @@ struct RollerSupport {
   double position = unset;  ///< distance behind the nose face [m]
 };
 
-/// All bearings that support a shaft. The struct stores pointers to them.
+/// All bearings that support a shaft. The struct stores pointers to the bearings.
 struct ShaftBearings {
-  /// Null if the shaft has no sets: it then has no axial support and is assumed not to move
+  /// Null if the shaft has no sets. The shaft then has no axial support and is assumed not to move
   /// axially.
   const bearing::Arrangement* sets = nullptr;
   std::vector<double> places = {};  ///< centres of the bearings of the sets, front set first [m]
@@ -41,13 +41,13 @@ struct ShaftBearings {
 
 /// Shaft bent on its bearings. If the solver did not converge, only `report` is valid.
 struct LoadedShaft {
-  double position = unset;           ///< x of the shaft, defined as in ArrangementEquilibrium [m]
-  double rear_displacement = unset;  ///< δ_r [m]
+  double position = unset;           ///< axial position as in ArrangementEquilibrium [m]
+  double rear_displacement = unset;  ///< axial displacement of the rear set [m]
   double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
   Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes
   /// Loads on the inner ring of each bearing, and the equilibrium of the balls with displacement
-  /// and tangent stiffness. Both are in the frame of the bearing: +x is the direction in which the
-  /// inner ring is pressed.
+  /// and tangent stiffness. Loads and equilibrium are in the frame of the bearing: +x is the
+  /// direction in which the inner ring is pressed.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
   /// State of the roller bearings, in a frame with x to the rear. `load` is the load from the
@@ -92,9 +92,8 @@ class ShaftOnBearings {
 /// in steps. Between the sets, the shaft has the axial stiffness of the arrangement.
 ///
 /// Domain:   `places` contains the centres of the bearings on the shaft, front set first. Each
-/// centre
-///           must be a node of the beam. Throws std::invalid_argument if the number of places
-///           differs from the number of bearings.
+///           centre must be a node of the beam. Throws std::invalid_argument if the number of
+///           places differs from the number of bearings.
 /// Accuracy: 1e-9 of the largest load; second-order effects of the axial force are neglected.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,
                                              const bearing::Arrangement& arrangement,

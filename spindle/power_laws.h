@@ -56,7 +56,7 @@ struct LagAt {
 ///           meaning, and T of a line may reach zero.
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
-  PowerLaw gain_power = {}, time_power = {};    ///< NaN if the values have different signs
+  PowerLaw gain_power = {}, time_power = {};    ///< NaN if a power is 0 or if signs differ
   /// Range of P in which both lines have the same sign as between the points [W]; from 0 to
   /// infinity if the sign never changes.
   double valid_from = unset, valid_to = unset;

@@ -7,11 +7,11 @@
 
 namespace raceway::spindle {
 
-/// Returns the rows of a record or of a speed programme in SI. Temperatures, motor data and belt
-/// force without a column come from the model. Other loads without a column are 0, and a coolant
-/// without a column is on. Throws std::invalid_argument if a time or a speed is missing or not a
-/// number, if the times do not rise, or if the record is longer than 10 years. The message gives
-/// the row.
+/// Returns the rows of a record or of a speed programme in SI. Temperatures, motor heat and belt
+/// force without a column are NaN, which means the value of the model. A motor power without a
+/// column is unknown. Other loads without a column are 0, and a coolant without a column is on.
+/// Throws std::invalid_argument if a time or a speed is missing or not a number, if the times do
+/// not rise, or if the record is longer than 10 years. The message gives the row.
 [[nodiscard]] std::vector<ProfileRow> profile_of(const record::Record& record);
 
 /// Returns the channels that can be compared with a simulation: the sensors in the order of the

@@ -26,10 +26,10 @@ struct RollerTemperatures {
 
 /// Clearance of a cylindrical roller bearing in operation.
 struct OperatingClearance {
-  double clearance = unset;  ///< s, diametral [m]
-  /// u_i, radial growth from the state in which the clearance is given [m]
+  double clearance = unset;  ///< diametral clearance s [m]
+  /// radial growth u_i from the state in which the clearance is given [m]
   double inner_raceway_growth = 0.0;
-  double outer_raceway_growth = 0.0;  ///< u_o [m]
+  double outer_raceway_growth = 0.0;  ///< radial growth u_o [m]
   PressFit inner_seat, outer_seat;    ///< the outer seat is valid only with a housing
 };
 
@@ -37,15 +37,16 @@ struct OperatingClearance {
 ///
 ///   s = s0 - 2 u_i + 2 u_o - 2 α D ΔT(rollers)
 ///
-/// u comes from press_fit(), with each ring as a plain sleeve between its seat and its raceway (d_m
-/// ∓ D). With ClearanceState::free, u is the growth relative to the bearing before mounting. With
-/// ClearanceState::mounted, u is the growth relative to the cold seat at standstill.
+/// The growths u_i and u_o come from press_fit(), with each ring as a plain sleeve between its seat
+/// and its raceway (d_m ∓ D). With ClearanceState::free, u is the growth relative to the bearing
+/// before mounting. With ClearanceState::mounted, u is the growth relative to the cold seat at
+/// standstill.
 /// Source:   derived; Lamé as in press_fit(), compared with a numerical boundary value solution of
 ///           the seats.
 /// Domain:   the bore must be given. If there is a housing, the outer diameter must also be given.
-///           Otherwise std::invalid_argument is thrown. The outer ring does not rotate. The
-///           deformation of the rings between the rollers and the deformation of the housing are
-///           neglected.
+///           The function throws std::invalid_argument if one of these diameters is missing. The
+///           outer ring does not rotate. The deformation of the rings between the rollers and the
+///           deformation of the housing are neglected.
 [[nodiscard]] OperatingClearance operating_clearance(const bearing::RollerBearing& bearing,
                                                      const RollerSeats& seats, double speed,
                                                      const RollerTemperatures& rises);

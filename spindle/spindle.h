@@ -25,14 +25,14 @@ enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_li
 /// Returns the status as readable text: "the sets have no equilibrium".
 [[nodiscard]] std::string_view words(Status status);
 
-/// Operating conditions of a spindle. For NaN, the value of the model is used.
+/// Operating conditions of a spindle. NaN means the value of the model, unless stated otherwise.
 struct Inputs {
   double speed = 0.0;                  ///< [rad/s], >= 0
   double ambient_temperature = unset;  ///< [K]
   double machine_temperature = unset;  ///< [K]
   double coolant_inlet = unset;        ///< [K]
   double motor_heat = unset;           ///< [W]
-  double motor_power = unset;          ///< electrical input of the motor [W]
+  double motor_power = unset;          ///< electrical input of the motor [W]; NaN: not given
   double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
   double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
   /// Moment at the nose in the plane of y [N m]. The moment is positive if it turns the shaft like
@@ -56,9 +56,9 @@ struct BearingState {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
   double force = unset;         ///< axial force [N]
   double radial_force = unset;  ///< [N]
-  double clearance = unset;  ///< s, diametral clearance of a roller bearing; negative: preload [m]
-  double power = unset;      ///< friction loss of the bearing [W]
-  double power_band = 0.0;   ///< half width of the 95 % band from a friction table [W]
+  double clearance = unset;     ///< diametral clearance of a roller bearing; negative: preload [m]
+  double power = unset;         ///< friction loss of the bearing [W]
+  double power_band = 0.0;      ///< half width of the 95 % band from a friction table [W]
 };
 
 /// Heat balance [W]. Heat that leaves the spindle is positive.

@@ -22,9 +22,9 @@ class SpindleSubject : public model::ModelSubject {
   /// Returns the time steps of the original model. Fits use the same steps.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   /// Simulates every run separately, starting from its ambient temperature. If the thermometers
-  /// show that the first run of a record began warm (find_warm_start()), this run starts from the
-  /// warm state. If the displacement was set to zero while the spindle was warm, the fit uses the
-  /// zero that fits the readings best.
+  /// show that the first run of a record, or of a joined record, began warm (find_warm_start()),
+  /// this run starts from the warm state. If the displacement was set to zero while the spindle was
+  /// warm, the fit uses the zero that fits the readings best.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;

@@ -25,7 +25,7 @@ struct StepResponse {
   double power_end = unset;      ///< friction loss at the end, the power of K(P) and T(P) [W]
   double kinematic = unset;      ///< immediate displacement [m]
   double end = unset;            ///< displacement at the end minus the kinematic part [m]
-  double front_force = unset;    ///< force of the cold front set at `speed` [N]
+  double front_force = unset;    ///< force of the front set at t = 0 [N]
   double highest_force = unset;  ///< largest force of the front set during the step [N]
   StepFit fit = {};              ///< fit to the displacement minus the kinematic part
   Status status = Status::not_run;
@@ -61,9 +61,10 @@ struct StepResponses {
 
 struct StepOptions {
   double duration = 4 * 3600.0;  ///< duration of each step [s]
-  double row = 120.0;            ///< interval between rows of a response [s]
-  Inputs inputs = {};            ///< all inputs except the speed
-  bool cool_down = true;         ///< true adds a cooling of equal length after the fastest step
+  /// Interval between rows of a response [s]. Load steps use a quarter of this interval.
+  double row = 120.0;
+  Inputs inputs = {};     ///< all inputs except the speed
+  bool cool_down = true;  ///< true adds a cooling of equal length after the fastest step
   const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 

@@ -20,8 +20,8 @@ struct CylinderHeat {
 /// Cells of a spindle with their heat paths, except the bearings. Friction and conduction of the
 /// bearings depend on the sets (BearingCoupling).
 ///
-/// Heat transfer coefficients and seats depend on the temperatures passed to update(). Both are
-/// constant within a time step.
+/// Heat transfer coefficients and seats depend on the temperatures passed to update(). Coefficients
+/// and seats are constant within a time step.
 class ThermalSystem {
  public:
   /// A group of heat paths with one conductance per area.

@@ -25,7 +25,7 @@ struct BearingHeat {
   double inner = 0.0, outer = 0.0;  ///< heat produced at each ring [W]
   double force = 0.0;               ///< axial force [N]
   double radial_force = 0.0;        ///< [N]
-  double clearance = unset;         ///< s of a roller bearing [m]
+  double clearance = unset;         ///< diametral clearance s of a roller bearing [m]
   double conductance = 0.0;  ///< conductance of balls or rollers through their contacts [W/K]
   double band = 0.0;         ///< half width of the 95 % band of the heat, from a friction table [W]
   [[nodiscard]] double power() const { return inner + outer; }

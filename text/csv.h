@@ -45,10 +45,10 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 
 /// Contents of a delimited text file: names of columns, and cells with their line numbers.
 ///
-/// Separator: comma, semicolon or tab, as found in the header, or the separator of the CsvForm.
-///            Lines that begin with `#` are
-/// comments, with two exceptions. The last comment above the data is the header if its cells fit
-/// the first row. A line below the header is a row if its cells fit the header ("#N/A,20,0.1").
+/// The separator is a comma, a semicolon or a tab, as found in the header, or the separator of the
+/// CsvForm. Lines that begin with `#` are comments, with two exceptions. The last comment above the
+/// data is the header if its cells fit the first row. A line below the header that begins with `#`
+/// is a row if its cells fit the header ("#N/A,20,0.1").
 /// Blank lines, rows of empty cells, repeated headers and words after the last row are skipped. A
 /// cell may be quoted ("a ""b"""), but a quoted cell must end on the same line. In files of other
 /// programs, a unit after every number of a column ("12.3 °C") is the unit of the column. Blanks

@@ -9,10 +9,10 @@
 namespace raceway::text {
 
 /// Finds the header of a measurement file in the first lines of the file. The header is the first
-/// line with a name for which `known` returns true. Otherwise the header is the line above the
-/// first row of numbers, not counting a row of units, if it has at least as many cells as that row.
-/// A line below the header is the row of units if at least half of its cells are units and no cell
-/// is a reading.
+/// line with a name for which `known` returns true. If there is no such line, the header is the
+/// line above the first row of numbers, not counting a row of units, if it has at least as many
+/// cells as that row. A line below the header is the row of units if at least half of its cells are
+/// units and no cell is a reading.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 

@@ -7,7 +7,7 @@
 namespace raceway::text {
 
 /// Header of a LabVIEW measurement file (LVM). The header gives the time of the first row and the
-/// time step. They replace an empty column X_Value.
+/// time step. These times replace an empty column X_Value.
 ///
 /// Source: NI, "Specification for the LabVIEW Measurement File (.lvm)", version 2: `X0`, `Delta_X`,
 /// `Decimal_Separator` and `X_Columns` (One, Multi, No). The specification itself was not read.

@@ -21,9 +21,9 @@ using record::edit_distance;
 /// Converts ASCII letters to lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// Returns the known name that the user probably meant. It differs from `name` by at most two
-/// changes (one change for names of up to four letters), or `name` is the known name without the
-/// unit ("speed") or without the first word ("load_N").
+/// Returns the known name that the user probably meant. The known name differs from `name` by at
+/// most two changes (one change for names of up to four letters), or `name` is the known name
+/// without the unit ("speed") or without the first word ("load_N").
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> known);
 

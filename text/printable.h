@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-/// Handling of control characters. A terminal executes them, and a line break in a name damages the
-/// file that contains the name.
+/// Handling of control characters. A terminal executes control characters, and a line break in a
+/// name damages the file that contains the name.
 namespace raceway::text {
 
 /// Returns the first control character in UTF-8 text, as "U+001B". A tab is allowed. Returns

@@ -7,8 +7,9 @@
 
 namespace raceway::text {
 
-/// Order of day, month and year in a date with slashes or dashes. 12/03/2024 is in March or in
-/// December. 24/09/11 may begin with the year, and so may 24.09.11.
+/// Order of day, month and year in a date of numbers. 12/03/2024 is in March or in December.
+/// 24/09/11 and 24.09.11 begin with the day or with the year. A date with points never begins with
+/// the month.
 enum class DateOrder { day_first, month_first, year_first };
 inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_first,
                                         DateOrder::year_first};
@@ -62,7 +63,7 @@ struct ShortTime {
 /// February 1900, which did not exist. Returns nothing outside the years of Excel, 1900 to 9999.
 [[nodiscard]] std::optional<double> seconds_of_excel(double days);
 
-/// Returns a text such as "2024-03-12T08:15:00.5", for the years 0 to 9999.
+/// Returns a text such as "2024-03-12T08:15:00.500", for the years 0 to 9999.
 [[nodiscard]] std::string timestamp_text(double seconds);
 
 }  // namespace raceway::text

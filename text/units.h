@@ -56,7 +56,7 @@ struct Unit {
 /// Returns true for a text that stands for "no unit", such as "-".
 [[nodiscard]] bool states_no_unit(std::string_view text);
 
-/// Returns the units of a dimension for messages: "rpm, 1_s, rad_s or krpm".
+/// Returns the units of a dimension for messages: "rpm, 1_s, rad_s, deg_s or krpm".
 [[nodiscard]] std::string listed_units(Dimension dimension);
 
 /// Returns a conversion as text for notes: "1 N m = 1000 N mm", "C = K - 273.15".

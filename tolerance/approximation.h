@@ -18,10 +18,10 @@ struct Recorded {
   std::shared_ptr<const record::Record> record{};
   std::shared_ptr<const void> prepared{};  ///< result of Subject::prepare()
   fit::Means means{};
-  double duration = unset;  ///< [s]
+  double duration = unset;  ///< duration of the longest run [s]
 };
 
-/// Returns the usual width of the means [s]: a minute or a 1500th of the record, whichever is
+/// Returns the usual width of the means [s]: a minute or a 1500th of the longest run, whichever is
 /// longer. In recorded(), a `width` of 0 keeps single rows.
 [[nodiscard]] double usual_width(const record::Record& record);
 [[nodiscard]] Recorded recorded(const fit::Subject& subject,
@@ -88,13 +88,13 @@ void require_fit(const Approximation& approximation);
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
 /// Repeats the fit on single rows almost without a ridge, starting from the previous result. If the
-/// values then diverge, it uses the ridge. For more than 20 000 rows, it uses means instead of
-/// single rows. `rows` receives the fitted data.
+/// values then diverge, the function uses the ridge. For more than 20 000 rows, it uses means
+/// instead of single rows. `rows` receives the fitted data.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
-/// Standard errors of all parameters. They are widened for the autocorrelation of the residuals and
-/// by the declared error of the model.
+/// Standard errors of all parameters. The standard errors are widened for the autocorrelation of
+/// the residuals and by the declared error of the model.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
   double condition = unset;  ///< condition number of the derivatives, columns scaled to length 1

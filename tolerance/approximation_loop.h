@@ -19,17 +19,19 @@ namespace raceway::tolerance {
 ///   refit -> held-out parts -> within the tolerance: no missing effect matters
 ///   each candidate -> one within the tolerance, together with all close to it
 ///   a fault that the record itself shows, if no single candidate is within the tolerance
-///   pairs, if no single candidate is within -> a pair with at most 1/1.2 of the best single error
+///   pairs, if no single candidate is within -> a pair within the tolerance, with at most 1/1.2 of
+///   the best single error
 ///   otherwise: effect-like (a candidate explains half of the mean square) or not-in-catalogue
 ///
 /// The error with a single candidate also counts as within the tolerance if it is at most f times
 /// the tolerance, and if the candidate lowers the error at least by the factor f = 1 + 1.645/sqrt(2
-/// T/30 min). T is the duration of the record, and 1/sqrt(2 T/30 min) is the relative standard
-/// error of the error.
+/// T/30 min). T is the duration of the longest run, and 1/sqrt(2 T/30 min) is the relative standard
+/// error of the held-out error.
 ///
-/// A candidate is close to the best one if its held-out error is at most a fifth larger, or if
-/// lambda = T/(30 min) (r²/best² - 1) is below 20. A close candidate must also remove at least half
-/// as much of the mean square error as the best one.
+/// A candidate is close to the best one if its held-out error is at most a fifth larger, or if λ =
+/// T/(30 min) (e²/b² - 1) is below 20. e is the held-out error with the candidate, and b is the
+/// error with the best one. A close candidate must also remove at least half as much of the mean
+/// square error as the best one.
 [[nodiscard]] verdict::Diagnosis diagnose_approximation(const fit::Subject& subject,
                                                         const record::Record& record,
                                                         const verdict::DiagnoseOptions& options);

@@ -18,7 +18,7 @@ struct Explanation {
   fit::ResponseFit fit{};
   /// Base parameters, then the parameters of the candidates.
   std::vector<record::Parameter> parameters{};
-  double gain = unset;    ///< see RankedEffect::gain; relative to the base model
+  double gain = unset;    ///< as RankedEffect::gain, relative to the base model
   bool ran_away = false;  ///< true if the fit diverged and the size is outside its plausible bounds
   /// Start values of the full fit if this fit is coarse; empty after a full fit.
   std::vector<Eigen::VectorXd> starts{};
@@ -50,7 +50,8 @@ class Attribution {
   /// Returns the largest visibility of the candidate's scores.
   [[nodiscard]] double visibility(std::size_t candidate) const;
 
-  /// Refits one or several candidates from at least two starts.
+  /// Refits one or several candidates, from several starts unless the model is linear in all
+  /// parameters.
   [[nodiscard]] Explanation refit(const std::vector<std::size_t>& members,
                                   const std::vector<Eigen::VectorXd>& extra_starts = {}) const;
   /// Returns a refitted explanation for each testable and visible candidate; best first.
@@ -86,8 +87,9 @@ class Attribution {
   /// Returns the negative linearised gains of pairs, best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  /// Adds one candidate. The fit starts from the full sizes and from half the sizes of all
-  /// candidates. The fit is coarse, unless a coarse fit is worse than both given fits.
+  /// Adds one candidate to an explanation. The fit is coarse and starts from the given sizes. If
+  /// the coarse fit is worse than the better given fit, a full fit replaces it. The full fit also
+  /// starts from half the sizes.
   [[nodiscard]] Explanation refit_together(const Explanation& first,
                                            const Explanation& single) const;
   /// Returns true for a candidate that corrects a datum.
@@ -95,7 +97,7 @@ class Attribution {
   [[nodiscard]] bool has_datum(const Explanation& e) const;
   /// Returns the parameter values of one candidate.
   [[nodiscard]] Eigen::VectorXd values_of(const Explanation& e, std::size_t member) const;
-  /// Computes the gain of a fit. Marks a fit that ran away as not converged.
+  /// Computes the gain of a fit. Marks a diverged fit as not converged.
   void judge(Explanation& e) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const fit::Screened* const> on,
                                                     const fit::Response& response) const;

@@ -27,7 +27,7 @@ struct Calibration {
   std::vector<record::Parameter> parameters{};    ///< free parameters
   Eigen::MatrixXd correlation{};  ///< correlation of the estimates; NaN without a standard error
   int rows = 0;                   ///< number of rows used
-  std::vector<std::size_t> rows_not_predicted{};  ///< rows of the record that were not used
+  std::vector<std::size_t> rows_not_predicted{};  ///< rows without a prediction; not used
   int degrees_of_freedom = 0;  ///< number of readings minus number of fitted parameters
   /// χ²/degrees of freedom for the noise of the data [1]; NaN if the noise is unknown.
   double reduced_chi_square = unset;

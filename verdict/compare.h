@@ -43,7 +43,7 @@ struct RowError {
 struct LackOfFit {
   double statistic = unset;
   double p_value = unset;
-  int degrees_of_freedom = 0;  ///< number of rows (or groups of repeats) minus fitted parameters
+  int degrees_of_freedom = 0;  ///< number of rows (repeats count once) minus fitted parameters
   /// Degrees of freedom of the pure error; 0 if the noise is declared.
   int noise_degrees_of_freedom = 0;
 };
@@ -60,6 +60,9 @@ struct Pattern {
   int pairs = 0;
 };
 
+/// Judgement of a misfit. For a model that only approximates the readings, `structure` means that
+/// the error exceeds the tolerance, `noise` that it does not, and `unknown` that no tolerance is
+/// given.
 enum class Judgement {
   structure,  ///< p < 0.01 in the lack-of-fit test, or in the pattern if the noise is unknown
   noise,      ///< the misfit is no larger than the noise
@@ -90,7 +93,7 @@ struct Comparison {
   std::vector<RowError> worst{};      ///< the five worst rows, worst first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
   std::vector<std::size_t> rows_not_predicted{};  ///< rows with a reading but without a prediction
-  std::string statement{};  ///< one sentence: size and place of the error, structure or noise
+  std::string statement{};  ///< text: size and place of the error, structure or noise
 };
 
 /// Returns the noise of a measured channel, by estimate_noise(). For a model that only approximates

@@ -43,8 +43,9 @@ struct DiagnoseOptions {
 /// candidates in two cases: no candidate explains the misfit, or one candidate fits only with
 /// another law or an implausible size. The verdict always refers to the given model.
 ///
-/// Fewer than 15 rows do not determine their noise. With 8 to 14 rows, the declared noise is used,
-/// and only candidates with one parameter are tried, one at a time.
+/// Fewer than 15 rows, or fewer than p + 12 rows for p free parameters, do not determine their
+/// noise. With at least 8 and at least p + 4 rows, the declared noise is used, and only candidates
+/// with one parameter are tried, one at a time.
 ///
 /// If a channel has a tolerance (Measured::tolerance), the question is whether a missing effect
 /// matters on held-out blocks within the measured range. Nothing is missing if the refitted model

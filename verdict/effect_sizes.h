@@ -11,7 +11,8 @@ namespace raceway::verdict {
 
 /// Returns the parameters of one candidate of an explanation, named without its id. A size is
 /// plausible within the range seen in practice, widened by a factor of three at both ends and by
-/// two standard errors. For a wrong datum, the factor is 1.
+/// two standard errors. For a wrong datum, the factor is 1. A size between the range and the
+/// neutral value is also plausible.
 [[nodiscard]] std::vector<record::Parameter> sizes_of(const fit::Problem& problem,
                                                       const Explanation& e, std::size_t member);
 

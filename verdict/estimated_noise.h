@@ -19,7 +19,7 @@ struct EstimatedNoise {
 /// Estimates the noise (NoiseModel) of each channel of a diagnosis, for data without declared noise
 /// and without repeats. The estimate comes from the residual of a regression on smooth surfaces and
 /// all candidates, not from the misfit of the model. The result is empty if the data do not support
-/// a diagnosis.
+/// a diagnosis, and for a model that only approximates the readings.
 [[nodiscard]] std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(
     const fit::Subject& subject, const record::Record& record);
 

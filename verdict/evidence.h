@@ -22,8 +22,8 @@ struct Evidence {
   Eigen::VectorXd size{};                ///< typical size of each reading from the base model
   std::vector<fit::NoiseModel> noise{};  ///< noise of each measured channel
   fit::Whitening whitening{};            ///< weights from the noise of all channels together
-  /// Other possible weights. In each of them, one channel has another noise shape that its readings
-  /// allow.
+  /// Other possible weights. In each of these sets of weights, one channel has another noise shape
+  /// that its readings allow.
   std::vector<fit::Whitening> allowed{};
   double degrees_of_freedom = unset;  ///< degrees of freedom of all channels
   fit::Response response{};           ///< response of the base model

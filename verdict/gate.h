@@ -9,14 +9,15 @@
 namespace raceway::verdict {
 
 /// Standard normal numbers for the null distribution of the largest score. The numbers are drawn at
-/// first use. They are identical for all gates of a diagnosis, and for all diagnoses with the same
-/// number of scores. The first call of p_value() draws the numbers, so several threads must not
-/// call p_value() at the same time.
+/// first use. The numbers are identical for all gates of a diagnosis, and for all diagnoses with
+/// the same number of scores. The first call of p_value() draws the numbers, so several threads
+/// must not call p_value() at the same time.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
   /// Returns the share of draws from N(0, C) whose largest score reaches `observed`. The scores of
-  /// each draw are divided by a random scale with the χ distribution.
+  /// each draw are divided by a random scale with the χ distribution. If the share is very small or
+  /// very large, the result is a bound from Student's distribution.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
@@ -44,7 +45,8 @@ struct Gate {
   /// tested.
   double allowed_p_value = 0.0;
   Eigen::VectorXd scores;  ///< score of each column; 0 if the column is not visible
-  /// Share of a column that remains after the tangent is projected off [1].
+  /// Share of a column that remains after the tangent (the derivatives by the base parameters) is
+  /// projected off [1].
   Eigen::VectorXd visibility;
   Eigen::MatrixXd projected;  ///< columns after the tangent is projected off, not normalised
 
@@ -53,8 +55,8 @@ struct Gate {
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
-/// Smallest visibility of a column whose score is tested [1]. Below it, the base parameters absorb
-/// the effect.
+/// Smallest visibility of a column whose score is tested [1]. Below this visibility, the base
+/// parameters absorb the effect.
 constexpr double invisible = 0.02;
 
 /// Applies the gate. All arguments are whitened. `one_sided` marks columns for which only a

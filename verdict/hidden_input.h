@@ -13,9 +13,10 @@ struct HiddenInput {
   const record::Channel* channel = nullptr;
   double scatter = unset;         ///< relative standard deviation at equal points [1]
   std::size_t low = 0, high = 0;  ///< rows with the largest difference at one point
-  /// Share of the variance that is common to the rows of a run; NaN without runs.
+  /// Share of the variance that is common to the rows of a run; NaN for fewer than two runs or too
+  /// few rows.
   double run_share = unset;
-  double run_p_value = unset;  ///< probability of `run_share` by chance; NaN without runs
+  double run_p_value = unset;  ///< probability of `run_share` by chance; NaN if `run_share` is NaN
   /// Returns true if the readings change mainly from run to run, and less from row to row.
   [[nodiscard]] bool follows_the_runs() const { return run_p_value < 1e-3 && run_share > 0.5; }
 };

@@ -9,8 +9,8 @@
 namespace raceway::verdict {
 
 /// Finds parameters that the data can separate neither at the start of a fit nor away from it. The
-/// function fixes all parameters of a group except the first one, marks the group and adds a
-/// message. `lacks` is Subject::lacks() on these data.
+/// function fixes a parameter whose influence equals a combination of earlier parameters, marks all
+/// of them as not identifiable and adds a message. `lacks` is Subject::lacks() on these data.
 void hold_dependent(const fit::Response& response, const fit::Whitening& whitening,
                     const std::function<std::string(const std::string& parameter)>& lacks,
                     Calibration& result);

@@ -34,7 +34,7 @@ struct MisfitMap {
   std::vector<ErrorRange> across;               ///< ranges of the swept input, rising
   std::vector<ErrorRange> up;                   ///< ranges of the other input, rising
   std::vector<MisfitCell> cells;                ///< cells with data, row by row of the map
-  double needed_sigmas = unset;  ///< a cell with at least this many sigmas is significant
+  double needed_sigmas = unset;  ///< a cell is significant if |sigmas| exceeds this value
 };
 
 /// `std` contains the standard deviation of each of `comparison.errors` [SI], NaN if unknown. The

@@ -21,8 +21,8 @@ namespace raceway::verdict {
 [[nodiscard]] std::string reading_text(const record::Channel& channel, double value,
                                        int digits = 3);
 
-/// Returns the sentence for `nothing_missing`: effects that would have been found, and effects that
-/// could not have been found.
+/// Returns the sentence for `nothing_missing`, with up to three effects that would have been found
+/// and up to three that could not have been found.
 [[nodiscard]] std::string nothing_missing_text(const Diagnosis& d);
 /// Returns the sentence for a model whose held-out error is within the tolerance, with the
 /// significant effects that are not important.

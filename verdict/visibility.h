@@ -21,9 +21,9 @@ struct Visibility {
 /// Finds detectable sizes from the scores of the candidates after the base parameters are projected
 /// off. At the detectable size, the test of the gate (verdict/gate.h) would detect the effect in 99
 /// of 100 cases. At the separable size, -2 ln L of the most similar other effect would be higher by
-/// 20. If this size is outside the range of the parameter, the program looks for a size within the
-/// range that changes the readings equally. If there is no such size, the effect could not have
-/// been found.
+/// 20. If the detectable size is outside the range of the parameter, the program looks for a size
+/// within the range that changes the readings equally. If there is no such size, the effect could
+/// not have been found. A separable size outside the range is NaN.
 [[nodiscard]] Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribution);
 
 }  // namespace raceway::verdict
