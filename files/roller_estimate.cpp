@@ -147,7 +147,7 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
       "\"steel\" or \"silicon-nitride\"");
   text += fmt::format("# With these numbers C = {:.0f} N and C0 = {:.0f} N",
                       life::dynamic_load_rating(g), life::static_load_rating(g));
-  text += bearing.printed() ? fmt::format("; printed are {:.0f} N and {:.0f} N.\n",
+  text += bearing.printed() ? fmt::format("; the catalogue has {:.0f} N and {:.0f} N.\n",
                                           bearing.dynamic_rating, bearing.static_rating)
                             : ".\n";
   text += lubricant_lines(oil);

@@ -294,9 +294,10 @@ std::string Investigation::other_bases_text() const {
   if (result_.other_bases.empty()) return "";
   const OtherBaseTried& best = result_.other_bases.front();
   if (!result_.given_other_base) {
-    std::vector<std::string> words;
-    for (const OtherBaseTried& b : result_.other_bases) words.push_back(b.words);
-    return fmt::format(" {} does not fit better than the base law.", joined(words, "or"));
+    std::vector<std::string> names;  // of ids such as law:skf
+    for (const OtherBaseTried& b : result_.other_bases)
+      names.push_back(b.id.substr(b.id.find(':') + 1));
+    return fmt::format(" No other base law fits better (law = {}).", joined(names, "or"));
   }
   const ChannelDiagnosis& first = result_.channels.front();
   const std::string fall = fmt::format(

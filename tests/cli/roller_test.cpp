@@ -54,7 +54,7 @@ TEST(RollerCommand, NewWritesAModelThatSolveTakes) {
   const Result made = run("new \"N1012 KTN/SP\" -o " + model);
   EXPECT_EQ(made.status, 0) << made.err;
   EXPECT_THAT(made.err, HasSubstr("is a cylindrical roller bearing: its rollers are estimated"));
-  EXPECT_THAT(file_text(model), HasSubstr("printed are 44300 N and 55200 N"));
+  EXPECT_THAT(file_text(model), HasSubstr("the catalogue has 44300 N and 55200 N"));
   const Result solved = run("solve " + model + " --speed 4000 --radial-load 2000 --json");
   ASSERT_EQ(solved.status, 0) << solved.err;
   const json document = json::parse(solved.out);
