@@ -84,9 +84,7 @@ class Effect:
         self, id: str, torque: Callable[..., ArrayLike], numbers: Mapping[str, Number | Mapping[str, Any] | float], *, title: str = ""
     ) -> None:
         if not id or any(c in " .\t\n,;\"'" for c in id) or id[0] in "=+-@":
-            raise InputError(
-                f"id = {id!r}: must be a name without blanks, dots, commas, semicolons and quotes, and must not begin with =, +, - or @"
-            )
+            raise InputError(f"id = {id!r}: must be a name without blanks, dots, commas, semicolons and quotes, and must not begin with =, +, - or @")
         if not callable(torque):
             raise TypeError(f"torque: must be a function of state and numbers, not {type(torque).__name__}")
         if not numbers:

@@ -248,8 +248,7 @@ def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
         commas = cells[cells.str.contains(",")]
         if len(commas) > 0 and cells.str.fullmatch(r"[+-]?\d+(,\d+)?").all():
             raise InputError(
-                f'{name}: {column} has text with a decimal comma, such as "{commas.iloc[0]}"; '
-                'use pandas.read_csv(path, sep=";", decimal=",")'
+                f'{name}: {column} has text with a decimal comma, such as "{commas.iloc[0]}"; ' 'use pandas.read_csv(path, sep=";", decimal=",")'
             )
 
 
@@ -265,9 +264,7 @@ def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
     lines = ["[columns]"]
     for ours, theirs in columns.items():
         if isinstance(theirs, bool) or not isinstance(theirs, (str, Real)):
-            raise TypeError(
-                f"columns: {ours} must be the name of a column in your data, or one number for all rows, " f"not {type(theirs).__name__}"
-            )
+            raise TypeError(f"columns: {ours} must be the name of a column in your data, or one number for all rows, " f"not {type(theirs).__name__}")
         # JSON strings are TOML strings.
         value = json.dumps(theirs) if isinstance(theirs, str) else repr(float(theirs))
         lines.append(f"{json.dumps(str(ours))} = {value}")
