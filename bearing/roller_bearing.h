@@ -61,8 +61,8 @@ inline constexpr std::size_t lamina_count = 41;
 ///   P = 0.0005 D ln(1/(1 - ((2|x| - L + 2.5 D)/(2.5 D))²))     L > 2.5 D, |x| > (L - 2.5 D)/2
 ///
 /// P is zero in the straight middle of a long roller.
-/// Source:   [ISO16281], not checked against the print. The first line comes from two programs. The
-///           brackets of the second line are from memory; one program has different brackets.
+/// Source:   [ISO16281], not checked against the print. Two other programs have the first line.
+///           The brackets of the second line are from memory; one program has different brackets.
 /// Domain:   |x| < L/2.
 [[nodiscard]] double roller_relief(const RollerGeometry& geometry, double x);
 
@@ -74,8 +74,8 @@ inline constexpr std::size_t lamina_count = 41;
 /// contact. For materials other than steel both are multiplied by 2 k(steel)/(k(roller) + k(ring)),
 /// k = (1 - ν²)/E.
 ///
-/// Source:   [ISO16281], as in two programs; two equal contacts in series and the factor of the
-///           materials are derived (Lundberg's form is linear in k).
+/// Source:   [ISO16281], as two other programs implement it; two equal contacts in series and the
+///           factor of the materials are derived (Lundberg's form is linear in k).
 /// Accuracy: within 2.5 % of a boundary element solution of strip and cylinder. Palmgren's 3.84e-5
 ///           Q^0.9/L^0.8 gives 3.4 % less approach.
 /// Trap:     the constant 35948 is for both contacts in series, the constant 3.84e-5 for one

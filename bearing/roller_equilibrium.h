@@ -91,7 +91,8 @@ struct RollerEquilibrium {
 /// roller are eliminated. (Ki + Ko) is singular if a roller touches with a single slice; K then
 /// uses the pseudo-inverse.
 ///
-/// Source:   at rest [ISO16281], as in two programs; the two contacts in series and Fc are derived.
+/// Source:   at rest the formulas of [ISO16281], as two other programs implement them; the series
+///           connection of the two contacts and the centrifugal force Fc are derived.
 /// Domain:   speed >= 0. axial_load must be 0, because the bearing carries no axial load; otherwise
 ///           the function throws std::invalid_argument. Without load and preload no roller touches
 ///           the inner ring, and the status is `loose`. The ring does not move in a direction

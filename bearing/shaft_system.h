@@ -9,8 +9,8 @@ namespace raceway::bearing {
 
 /// Unknown positions: the shaft, the rear set, and one ball of every bearing.
 struct ShaftState {
-  double shaft = 0.0;  ///< y = d x [m]
-  double rear = 0.0;   ///< δ_r [m]
+  double shaft = 0.0;  ///< position of the shaft y = d x [m], with d and x of Arrangement
+  double rear = 0.0;   ///< axial compression δ_r of the rear set [m]
   std::vector<Plane> balls;
 };
 

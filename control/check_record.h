@@ -23,7 +23,7 @@ namespace raceway::control {
 
 /// Returns a synthetic check record within the ranges: warm-up, cool-down, blocks of speeds and
 /// feeds, a coolant that switches on and off, and a gap in time. The record lasts about twice the
-/// time constant of the slowest section. If a model has printed coefficients, the record has 60
+/// time constant of the slowest section. If a model has published coefficients, the record has 60
 /// rows at their sampling interval and no gap instead.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);

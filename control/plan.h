@@ -38,7 +38,9 @@ struct ControlInput {
   /// Plausible range, largest rate [1/s] and longest standstill [s]; NaN means that a limit is not
   /// checked.
   double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
-  double smoothing_s = 0.0;  ///< time constant of smoothing for instant parts [s]
+  /// Time constant of a filter on the input, for the parts of the correction that follow the input
+  /// without lag [s]; 0: no filter.
+  double smoothing_s = 0.0;
 };
 
 /// Joint range of the inputs in the data of the fit: |weights (x - mean)| is at most `farthest`.

@@ -50,7 +50,8 @@ struct ControlSettings {
   ByColumn<double> fastest_per_s{1.0};
   /// Longest allowed time without a change; 0: not checked. `all` applies to temperatures only.
   ByColumn<double> stuck_s{3600.0};
-  /// Time constant of the filter on the inputs of instant parts.
+  /// Time constant of a filter on an input, for the parts of the correction that follow this input
+  /// without lag [s]; 0: no filter.
   ByColumn<double> smoothing_s{0.0};
   // Settings of all axes and inputs.
   std::string on_fault = "last-safe";  ///< action after the hold: "hold", "last-safe", "zero"

@@ -74,7 +74,7 @@ struct Identification {
 /// and time constants come from variable projection with many starts. The error on eight held-out
 /// parts selects the structure. This search uses means of neighbouring rows; at the end, the
 /// parameters are fitted to the single rows. Gains, time constants and the kinematic law of `model`
-/// are start values. Transfer functions with printed coefficients and delay elements remain
+/// are start values. Delay elements, and transfer functions with published coefficients, remain
 /// unchanged.
 ///
 /// Throws std::invalid_argument if the record lacks an input of the model or has too few readings.

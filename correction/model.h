@@ -93,7 +93,8 @@ struct DrivenChannel {
   double scale = 1.0;  ///< factor on the whole channel, for example for a spindle of the same type
   /// Replaces the sections by a gain and a time constant that depend on the power or load.
   std::optional<DelayElement> element{};
-  /// Replaces the sections by a transfer function with printed coefficients for one sampling time.
+  /// Replaces the sections by a transfer function with published coefficients for one sampling
+  /// time.
   std::optional<TransferFunction> printed{};
 };
 
@@ -169,7 +170,7 @@ struct Model {
   double tolerance = unset;     ///< [m]
   double measured_std = unset;  ///< [m]
   InitialState initial_state = InitialState::rest;
-  double sampling = unset;  ///< sampling interval of printed coefficients [s]
+  double sampling = unset;  ///< sampling interval of published coefficients [s]
   double offset = 0.0;      ///< [m]
   std::vector<DrivenChannel> channels{};
   std::optional<Kinematic> kinematic{};

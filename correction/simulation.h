@@ -20,7 +20,7 @@ struct Contribution {
 /// model. After the input of a delay element leaves its domain, the result is NaN until the end of
 /// that run. Beyond the range of the fit, lags remain linear, and continued() extrapolates laws.
 /// Throws std::invalid_argument if the record lacks an input, or if the sampling interval of the
-/// record differs from the interval of printed coefficients.
+/// record differs from the interval of published coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
 /// Passes to `sink` each term that simulate() adds to the offset.

@@ -22,7 +22,7 @@ struct StepResponse {
   std::vector<Part> parts{};
   double at_once = 0.0;               ///< instant part without a lag [m]
   double sensor_time_constant = 0.0;  ///< time constant of a slow sensor [s]
-  /// Displacement for each sample [m]; used for printed coefficients instead of `parts`.
+  /// Displacement for each sample [m]; used for published coefficients instead of `parts`.
   std::vector<double> sampled{};
   double sampling = unset;  ///< [s]
   /// Effects that change the response under other conditions: at other speeds, during cooling, or
@@ -33,8 +33,8 @@ struct StepResponse {
 /// Returns the step responses of all channels of a model and of all effects that are lags. An
 /// effect on a channel is part of the response of that channel. The step is 1 K, W or m/min, or
 /// 1000 rpm. The record determines the input values for a delay element (the median above zero, the
-/// largest, and the lowest below zero) and the duration for printed coefficients. Effects without a
-/// lag and the kinematic law are left out.
+/// largest, and the lowest below zero) and the duration for published coefficients. Effects without
+/// a lag and the kinematic law are left out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

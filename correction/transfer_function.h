@@ -74,7 +74,7 @@ struct ParallelForm {
 /// Returns true if a pole of the reduced function lies on or outside the unit circle.
 [[nodiscard]] bool never_decays(const TransferFunction& printed);
 
-/// Properties of printed coefficients.
+/// Properties of published coefficients.
 struct TransferFunctionCheck {
   std::vector<std::complex<double>> poles{};  ///< poles as printed, the largest first
   /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
@@ -90,7 +90,7 @@ struct TransferFunctionCheck {
   std::vector<std::string> warnings{};  ///< warnings for the reader, one sentence each
 };
 
-/// Checks printed coefficients. `quantum` is the resolution of the input's sensor in its unit.
+/// Checks published coefficients. `quantum` is the resolution of the input's sensor in its unit.
 /// `unit` is the unit of the displacement. A warning is added if one step of the resolution moves
 /// the displacement by more than a tenth of this unit.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,

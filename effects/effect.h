@@ -88,8 +88,8 @@ struct BaseLaw {
       const friction::BearingState<double>& state) const {
     return friction::base_moments<double>(law, state, values);
   }
-  /// Torque that heats the film [N m]: the whole moment of the contact law, or the viscous moment
-  /// of a formula for the whole bearing.
+  /// Torque that heats the film [N m]: for the law `contact` the whole moment, for every other law
+  /// the viscous moment.
   [[nodiscard]] double film_moment(const friction::BearingState<double>& state) const {
     const friction::BaseMoments<double> base = moments(state);
     return law == friction::FrictionLaw::contact ? base.load + base.viscous : base.viscous;

@@ -26,7 +26,7 @@ constexpr Key columns_keys[]{
      "ambiguous"},
     {"date_order", one_of("day first|month first|year first"), unset,
      "order of day, month and year in dates with slashes, dashes or two-digit years. Required if "
-     "the order changes the time between rows"},
+     "the dates can be read in several orders that give different times between the rows"},
     {"settings_hold", one_of("from row|until row"), unset,
      "rows between which the settings (speed, loads, feeds, coolant) of a record over time apply. "
      "\"from row\": from their row to the next, as in a programme of events; the reading in the "

@@ -21,9 +21,9 @@ namespace raceway::files {
 /// Source: SKF, Super-precision bearings, 13383, and for the series of SNFA 06939 (HB, HX) and
 /// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
 /// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260, p. 56, and ULTAGE, 7000
-/// and 7900; GMN, High Precision Ball Bearings, 4001. Only text copies of the catalogues were
-/// available: of the pages above for Barden and NTN, of the titles for SKF. The other catalogues
-/// were not read. The codes for angle, balls and preload of NSK, NTN and FAG were compared with
+/// and 7900; GMN, High Precision Ball Bearings, 4001. Only text copies were read: the given pages
+/// of Barden and NTN, and the titles of the SKF publications. The catalogues of Schaeffler, NSK and
+/// GMN were not read. The codes for angle, balls and preload of NSK, NTN and FAG were compared with
 /// tables of dealers. The angle digits of SNFA were not checked.
 struct Designation {
   std::string series{};          ///< as written: "70", "719", "VEX", GMN "60", "619"

@@ -47,8 +47,9 @@ const Key control_keys[]{
      "longest time without a change of an input; 0: no limit; one number for all temperatures, or "
      "{ COLUMN = ... } for any input"},
     {"smoothing_s", between(0, 1e6, "s"), usual_control.smoothing_s.all,
-     "time constant of a filter on the inputs of parts without lag, for sensors with coarse "
-     "resolution; for all inputs, or { COLUMN = ... }"},
+     "time constant of a filter on an input, for the parts of the correction that follow this "
+     "input without lag; for sensors with coarse resolution; one number for all inputs, or "
+     "{ COLUMN = ... }"},
     {"on_fault", one_of("hold|last-safe|zero"), usual_control.on_fault,
      "reaction to a faulty input after hold_s: hold (use its last value), last-safe (fade to the "
      "last offset from good inputs) or zero (fade to 0)"},
@@ -74,7 +75,7 @@ const Key control_keys[]{
      "their values)"},
     {"beyond_range", one_of("linear|hold"), usual_control.beyond_range,
      "inputs of the sections outside [correction.range]: linear (extrapolate) or hold (use the "
-     "value at the edge, as for parts without lag)"},
+     "value at the edge; parts of the correction without lag always use this value)"},
 };
 
 class ExportReader {

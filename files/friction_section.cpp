@@ -67,7 +67,8 @@ const Key palmgren_keys[]{
     number_of(FrictionLaw::palmgren, "y",
               "exponent of the load moment; required without the key catalogue"),
     {"f1_load", one_of(words_of_load), "P0",
-     "load in the factor f1: P0 (static equivalent load), or F_b (load in the load moment)"},
+     "load F in the factor f1 = z (F/C0)^y of the load moment f1 F_b d_m: P0 (static equivalent "
+     "load), or F_b"},
 };
 const Key powers_keys[]{
     number_of(FrictionLaw::powers, "viscous_exponent",

@@ -62,8 +62,9 @@ class CostlyProblem {
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values) const;
   /// Returns the derivatives of the means with respect to the scaled parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
-  /// If `better` is given and the prediction for the difference has a smaller misfit, `better`
-  /// receives this prediction.
+  /// Returns the derivative of the means with respect to a scaled parameter, from a step of `by`,
+  /// or of -`by` if a bound prevents the step. If `better` is given and the fit after the step has
+  /// a smaller misfit than `*better`, it replaces `*better`.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
   /// `slope` contains derivatives with respect to scaled parameters. `is_fresh` is true if they are

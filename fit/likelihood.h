@@ -20,7 +20,9 @@ struct Likelihood {
   double chi_square = unset;  ///< NaN if the noise is unknown [1]
   double log_determinant = unset;  ///< ln det(2 π S)
   /// -2 ln L of the readings. If only the size of the noise is unknown, the most likely size is
-  /// used. NaN if the noise was fitted in another way, or if errors are correlated.
+  /// used. NaN for several channels with unknown noise, for declared standard deviations that were
+  /// increased to match the misfit, and for models that only approximate the readings (correlated
+  /// errors).
   double deviance = unset;
 
   [[nodiscard]] int degrees_of_freedom() const { return readings - parameters; }

@@ -107,7 +107,8 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Some constants
 ///           differ in editions since 2013.
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. The moment is zero at standstill and without load.
-///           There the slope of the formula is infinite and is returned as zero.
+///           There the formula has an infinite derivative with respect to speed or load; with a
+///           type T for automatic differentiation, the code returns zero derivatives.
 /// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
 struct SkfRolling {
   static constexpr std::string_view id = "skf_rolling";

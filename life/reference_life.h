@@ -10,8 +10,9 @@ namespace raceway::life {
 ///   Q_ci = C/(0.407 Z cos α) (1 + T^(10/3))^0.3,   Q_ce = C/(0.389 Z cos α) (1 + T^(-10/3))^0.3
 ///   T = 1.044 ((1 - γ)/(1 + γ))^1.72 (f_i (2 f_o - 1)/(f_o (2 f_i - 1)))^0.41,  γ = D cos α/d_m
 ///
-/// Source:   [ISO16281, eqs. 1, 2], as in two programs, not checked against the print. The exponent
-///           of cos α is 1 here; one of the programs has 0.7, which matters only if α is not 0.
+/// Source:   [ISO16281, eqs. 1, 2], as two other programs implement them, not checked against the
+///           print. The exponent of cos α is 1 here; one of the programs has 0.7, which matters
+///           only if α is not 0.
 /// Domain:   nominal α from 0 to 45 deg; C from dynamic_load_rating() or from a catalogue [N].
 struct RaceRatings {
   double inner = unset, outer = unset;

@@ -8,7 +8,8 @@
 
 namespace raceway::model {
 
-/// Sets parameters of a model repeatedly and finds the first stage that they change.
+/// Sets parameters of a model repeatedly. Finds the first stage of the prediction (Stage) that the
+/// new values change.
 class FittedModel {
  public:
   /// `steps` must be the steps of the model.

@@ -67,8 +67,8 @@ struct Model {
   friction::F1Load f1_load = friction::F1Load::P0;
   std::vector<double> law_values;               ///< in the order of friction::parameters(law)
   friction::contact::ContactData contact = {};  ///< data of the contact law
-  /// Table for the law `table`, which may be a candidate for a model with another law; null if the
-  /// model names no table.
+  /// Torque table for the law `table`. A model with another law may also name a table; `diagnose`
+  /// then tests the law `table` as an alternative. Null if the model names no table.
   std::shared_ptr<const friction::TorqueTable> table = nullptr;
   std::vector<effects::Effect> effects;  ///< effects in the order in which they were added
   bearing::EquilibriumOptions solver;

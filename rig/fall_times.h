@@ -37,7 +37,8 @@ struct Fall {
 /// row and its neighbours. A neighbour is the nearest lower or higher fall of the same run with the
 /// same other inputs. The middle speed of a neighbour lies outside the fall of the row. At an end,
 /// the next two falls are used. For two falls, p' is 0; for a single fall, p = 2/3, as for a
-/// viscous moment. With these values, ω_e is correct to second order in s for every smooth law.
+/// viscous moment. With p and p' of a parabola, ω_e is correct to second order in s = (ω1 - ω2)/ω
+/// for every smooth law.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
 /// The speed of the record is replaced. If every fall has a standard deviation of the time, the

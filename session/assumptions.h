@@ -9,10 +9,10 @@
 namespace raceway::session {
 
 /// Returns the five assumed numbers (or fewer) with the largest influence on the displacement of
-/// the nose. An assumed number is a default value, or a number that the file marks as a guess.
-/// Dimensions that are marked as a guess do not count. Like sensitivity(), the function changes one
-/// number at a time, by its usual spread. The result is empty for a network and for a spindle
-/// without a steady state.
+/// the nose. An assumed number is a default value, or a number (except a dimension in mm) whose
+/// comment in the model file contains `assumed` or `estimated`. Like sensitivity(), the function
+/// changes one number at a time, by its usual spread. The result is empty for a network and for a
+/// spindle without a steady state.
 ///
 /// Source:   the spreads are judgements: films and contacts are known to a factor of 1.5 to 2, fits
 ///           to 3 um, and properties of steel and iron to 3 to 15 % (session/assumptions.cpp).

@@ -127,8 +127,8 @@ class LoopModel {
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
-  /// Checks a record as a time series for this model. The result is empty for models that are not
-  /// corrections.
+  /// Returns the properties of a time record that matter for this correction: sampling, noise,
+  /// range of time constants, resolution, and warnings. Empty for models that are not corrections.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 

@@ -25,7 +25,9 @@ inline constexpr double lowest_conformity = 0.505, highest_conformity = 0.56;
 
 struct ConformityFit {
   double conformity = unset;  ///< common value of both grooves [1]
-  double std = unset;         ///< standard error; NaN with one class and at a bound
+  /// Standard error [1]; NaN if there is only one preload class, or if the conformity is at a
+  /// bound.
+  double std = unset;
   record::Bound at_bound = record::Bound::none;
   double rms = unset;  ///< rms of ln(computed/printed) [1]
   std::vector<PairRigidity> classes;

@@ -22,7 +22,7 @@ class SetTorqueSubject final : public ShaftSubject {
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns speed, load (preload and external load together) and viscosity.
+  /// Returns speed, load (root of the sum of squares of preload and external load) and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns an empty text: the sign of a torque is not in doubt, and files::doubts() checks the
   /// unit.

@@ -20,7 +20,8 @@ class ConductanceSolver {
  public:
   /// After construction, only the conductances of `paths` may change.
   explicit ConductanceSolver(const HeatPaths& paths);
-  /// Returns false if A is not positive definite, which means that heat cannot leave.
+  /// Factorises A. Returns false if A is not positive definite: a body has neither heat capacity
+  /// nor a path for heat to leave, or a number is not finite.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
   [[nodiscard]] Vector solve(const Vector& right) const {
     return second_half(first_half(in_order(right)));

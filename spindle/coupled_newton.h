@@ -26,8 +26,8 @@ class CoupledNewton {
  public:
   CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling);
 
-  /// Factorises A = capacity_factor C + G. Returns false if A is not positive definite, which means
-  /// that heat cannot leave.
+  /// Factorises A = capacity_factor C + G. Returns false if A is not positive definite: a
+  /// body has neither heat capacity nor a path for heat to leave, or a number is not finite.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
   /// Computes the temperatures. `given` contains the start value of y and receives the result.
   [[nodiscard]] NewtonStatus solve(const Vector& right, Vector& temperatures, Vector& given,

@@ -38,9 +38,10 @@ struct Modes {
 ///
 ///   (-ω² M + ω Ω G + K) q = 0,   ω > 0 forward, ω < 0 backward.
 ///
-/// Anisotropic springs couple both directions. With w = -i b e^{iωt} the matrices of both planes
-/// remain real and symmetric. Both problems are solved as B x = (1/ω) A x with the positive
-/// definite A = diag(K, M), by Lanczos iterations for the largest |1/ω|, with sparse matrices.
+/// Anisotropic springs couple forward and backward whirl. With w = -i b e^{iωt} the matrices of
+/// both planes remain real and symmetric. Both problems are solved as B x = (1/ω) A x with the
+/// positive definite A = diag(K, M), by Lanczos iterations for the largest |1/ω|, with sparse
+/// matrices.
 ///
 /// Domain:   speed >= 0 [rad/s]; springs at nodes of the beam, their planes parallel to y and z.
 /// Accuracy: the error of the mesh falls with the square of the element length, and is zero in

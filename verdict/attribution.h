@@ -14,7 +14,7 @@ namespace raceway::verdict {
 /// The base model extended by one to three candidates, with all base parameters refitted.
 struct Explanation {
   std::vector<std::size_t> members{};  ///< indices into Problem::candidates, rising
-  fit::Response response{};            ///< response of the extended model; empty for a bent law
+  fit::Response response{};            ///< response of the extended model; empty if `elastic`
   fit::ResponseFit fit{};
   /// Base parameters, then the parameters of the candidates.
   std::vector<record::Parameter> parameters{};
@@ -25,7 +25,8 @@ struct Explanation {
   Gate recheck{};  ///< gate on the residuals, with the other effects of the catalogue
   bool rechecked = false;
   double least_loss = unset;  ///< rise of -2 ln L if the weakest of several candidates is removed
-  bool elastic = false;       ///< true if exponents bend the law
+  /// True if fitted powers of the factors multiply the change of the readings by the candidate.
+  bool elastic = false;
   /// Exponent of each factor (Subject::factors()), by name; 0 for a factor that does not vary.
   std::vector<record::NamedValue> exponents{};
   std::size_t free_exponents = 0;  ///< number of free exponents

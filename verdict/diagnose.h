@@ -51,10 +51,12 @@ struct DiagnoseOptions {
 /// matters on held-out blocks within the measured range. Nothing is missing if the refitted model
 /// stays within the tolerance on these blocks. An effect explains the data if it brings the error
 /// within the tolerance. Effects whose error is at most a fifth larger than the smallest error are
-/// also named. Two effects explain the data if no single effect does and if the error of the best
-/// single effect is at least a fifth larger than the error of the pair. Throws
-/// std::invalid_argument if the data do not support a verdict, and fit::Cancelled if the caller
-/// cancels. For models that only approximate the readings (Subject::approximates()), use
+/// also named. Two effects explain the data if no single effect does, if the pair brings the error
+/// within the tolerance, and if the error of the best single effect is at least a fifth larger than
+/// the error of the pair.
+///
+/// Throws std::invalid_argument if the data do not support a verdict, and fit::Cancelled if the
+/// caller cancels. For models that only approximate the readings (Subject::approximates()), use
 /// loop/loop.h.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});

@@ -29,7 +29,8 @@ enum class Verdict {
 /// Returns the verdict in the words of the JSON results, for example "nothing-missing".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// Diagnosis of one measured channel. Readings are in the order of `baseline.errors`.
+/// Diagnosis of one measured channel. Numbers for single readings in `noise`, such as `outliers`,
+/// are in the order of `baseline.errors`.
 struct ChannelDiagnosis {
   Comparison baseline{};  ///< comparison after refitting the free parameters
   fit::NoiseModel noise{};

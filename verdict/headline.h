@@ -6,8 +6,9 @@
 
 namespace raceway::verdict {
 
-/// Ability of the inputs to distinguish rows with different readings. A change between runs that no
-/// input shows is not an effect.
+/// States whether the inputs distinguish all rows with different readings. With miss_what_changes,
+/// the headline says that the cause is not an input of the model, and names no effect (unless the
+/// verdict is nothing_missing).
 enum class Inputs { tell_all, may_miss_something, miss_what_changes };
 
 /// Returns the short verdict without its evidence, which is in `sentence`: "Lubricant drag is

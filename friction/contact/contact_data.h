@@ -14,8 +14,8 @@ namespace raceway::friction::contact {
 struct ContactData {
   OilData oil;
   double eyring_stress = default_eyring_stress;  ///< τ0 [Pa]
-  /// Γ of the film as entered with the oil, for all laws [1]. If Γ is NaN, the value of the oil
-  /// type is used.
+  /// Limiting traction Γ of the film, from the key `limiting_traction` in [lubricant] [1]. The key
+  /// is read with every friction law. If Γ is NaN, the value of the oil type is used.
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;
   double inlet_over_b = unset;          ///< m of starvation_factors() [1]; unset: flooded film

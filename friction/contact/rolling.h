@@ -45,8 +45,8 @@ struct RollingEllipse {
 /// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The limited inlet is Houpert's law of
 ///           1987. [Balan2015, eqs. 1 to 5] agrees. The equations were read as plain text, not in
 ///           the print layout.
-/// Domain:   Q > 0. The force is zero at standstill, where the slope is infinite and is returned as
-///           zero.
+/// Domain:   Q > 0. The force is zero at standstill, where its derivative with respect to speed is
+///           infinite.
 /// Accuracy: the code agrees with the formula to rounding error; a flooded and a limited inlet
 ///           differ by 30 to 55 % at spindle speeds, and the inlet condition is not known
 ///           beforehand.

@@ -144,8 +144,9 @@ struct Traction {
 
 /// Finds the zero of an increasing function by Newton's method inside a bracket. Bisection replaces
 /// a step that does not halve the value, because dry friction changes direction within about a
-/// millionth of the rolling speed. value(v) returns {value, slope, size}. The search ends if
-/// |value| <= tolerance times size, or if the bracket is `tolerance` times the first one or less.
+/// millionth of the rolling speed. value(v) returns {value, slope, size}, where size is a scale of
+/// the value, such as Σ |τ|. The search ends if |value| <= tolerance * size, or if the bracket has
+/// shrunk to `tolerance` times its initial width.
 struct GrowingValue {
   double value, slope, size;
 };
