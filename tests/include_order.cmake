@@ -52,7 +52,7 @@ foreach(folder IN LISTS libraries users)
     # What stands in docs/design.md of threads holds where a header does not say otherwise.
     if(file MATCHES "[.]h$" AND folder IN_LIST libraries)
       file(READ ${ROOT}/${file} code)
-      if(code MATCHES "\n *mutable " AND NOT code MATCHES "///[^\n]*threads?[ ,.;:]")
+      if(code MATCHES "\n *mutable " AND NOT code MATCHES "///[^\n]*threads?[ ,.;:\n]")
         string(APPEND faults "\n  ${file}: has mutable members, and says nothing of threads")
       endif()
     endif()
