@@ -197,7 +197,7 @@ test('files may lie in folders and be bytes; those that were written or changed 
 
 test('a name that leads out of the folder is refused', async () => {
   for (const name of ['/etc/passwd', '../a', 'a/../b', 'a//b', '', 'a\0b'])
-    await assert.rejects(ask({ arguments: ['--version'], files: { [name]: '' } }), /no name of a file/);
+    await assert.rejects(ask({ arguments: ['--version'], files: { [name]: '' } }), /is not a valid file name/);
 });
 
 test('a report is the page that the program writes', async () => {

@@ -22,7 +22,7 @@ export function nativeEngine(program) {
     try {
       for (const [name, content] of Object.entries(files)) {
         const path = join(folder, name);
-        if (relative(folder, path).startsWith('..')) throw new Error(`${name}: is no name of a file in the folder of a question`);
+        if (relative(folder, path).startsWith('..')) throw new Error(`${name}: is not a valid file name`);
         mkdirSync(dirname(path), { recursive: true });
         writeFileSync(path, content);
       }
