@@ -102,9 +102,8 @@ TEST(SmallStudy, ALawOfNoCatalogueIsDescribedByItsExponents) {
     const std::vector<std::string>& with_powers = o.answer.names_given_it;
     const bool constant = o.trial.kind.find("constant") != std::string::npos;
     EXPECT_EQ(with_powers.empty(), !constant) << o.answer.sentence;
-    EXPECT_THAT(o.answer.sentence,
-                HasSubstr(constant ? "law = powers (fitted exponents) fits better"
-                                   : "law = powers (fitted exponents) describes"));
+    EXPECT_THAT(o.answer.sentence, HasSubstr(constant ? "powers (fitted exponents) fits better"
+                                                      : "powers (fitted exponents) describes"));
   }
 }
 
