@@ -99,9 +99,12 @@ TEST(SmallStudy, ALawOfNoCatalogueIsDescribedByItsExponents) {
   const std::vector<Outcome> outcomes = small_study("real", 2, 1, "of ours");
   expect_within_reach(outcomes, {"r"});
   for (const Outcome& o : outcomes) {
+    SCOPED_TRACE(o.trial.kind);
     const std::vector<std::string>& with_powers = o.answer.names_given_it;
     const bool constant = o.trial.kind.find("constant") != std::string::npos;
-    EXPECT_EQ(with_powers.empty(), !constant) << o.answer.sentence;
+    // Exponents of ball loads can hide one of these constants; expect_within_reach() counts it.
+    if (!constant || o.trial.kind.find("ball loads") == std::string::npos)
+      EXPECT_EQ(with_powers.empty(), !constant) << o.answer.sentence;
     EXPECT_THAT(o.answer.sentence, HasSubstr(constant ? "powers (fitted exponents) fits better"
                                                       : "powers (fitted exponents) describes"));
   }
