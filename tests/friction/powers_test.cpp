@@ -93,7 +93,7 @@ TEST(Powers, NeedsTheStaticLoadRating) {
             "static_load_rating is missing: the law powers needs a rating above 0 N");
 }
 
-/// Moments of the law `contact-powers` in the equilibrium of a load that turns no symmetry on.
+/// Moments of the law `contact-powers` in a solved equilibrium.
 struct OfContacts {
   bearing::Bearing bearing;
   bearing::BearingEquilibrium equilibrium;

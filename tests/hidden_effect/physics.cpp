@@ -100,7 +100,8 @@ Bearing::Moments houpert_moments(const Machine& m, const BaseLaw& law, double sp
           .other = 40.0 * size * std::pow(load / 1000.0, law.powers[2])};
 }
 
-/// Houpert's law for the contacts: their mean, each with the thrust that its load would carry.
+/// Mean of Houpert's law over the inner and the outer contact. A contact with the load Q counts as
+/// the thrust Z Q sin a0.
 Bearing::Moments mean_over_contacts(const Bearing& bearing, const BaseLaw& law, double speed,
                                     double load, double viscosity) {
   const Machine& m = bearing.machine();

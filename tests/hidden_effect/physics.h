@@ -113,7 +113,7 @@ struct BaseLaw {
   Formula formula = Formula::palmgren;
   /// Exponents of Houpert's law: of speed times viscosity, of load in rolling, of load in sliding.
   std::array<double, 3> powers{0.656, 0.466, 4.0 / 3.0};
-  bool by_ball_loads = false;  ///< Houpert's law: mean over the contacts instead of the thrust
+  bool by_ball_loads = false;  ///< true: Houpert's law is a mean over the ball contacts
 };
 
 /// The values of an effect: its size, and a second number that only gives the shape.

@@ -102,7 +102,8 @@ TEST(SmallStudy, ALawOfNoCatalogueIsDescribedByItsExponents) {
     SCOPED_TRACE(o.trial.kind);
     const std::vector<std::string>& with_powers = o.answer.names_given_it;
     const bool constant = o.trial.kind.find("constant") != std::string::npos;
-    // Exponents of ball loads can hide one of these constants; expect_within_reach() counts it.
+    // Fitted exponents can hide a constant in addition to a law of ball loads. The bars count how
+    // often.
     if (!constant || o.trial.kind.find("ball loads") == std::string::npos)
       EXPECT_EQ(with_powers.empty(), !constant) << o.answer.sentence;
     EXPECT_THAT(o.answer.sentence, HasSubstr(constant ? "powers (fitted exponents) fits better"
