@@ -91,22 +91,23 @@ BaseMoments<double> contact_powers_moments(const BearingState<double>& state,
                                            std::span<const double> values) {
   if (!state.equilibrium || !state.equilibrium->report.converged()) return {unset, unset};
   const bearing::Balls& balls = state.equilibrium->balls;
-  const auto contacts = 2.0 * static_cast<double>(balls.size());
-  const double thrust_per_load =
-      static_cast<double>(balls.size()) * std::sin(ContactPowers::angle_of_thrust(*state.bearing));
+  const auto Z = static_cast<double>(balls.size());
   BearingState<double> thrust = state;
   thrust.radial_load = 0.0;
-  BaseMoments<double> mean{0.0, 0.0};
+  thrust.axial_load = Z * std::sin(ContactPowers::angle_of_thrust(*state.bearing));
+  const BaseMoments<double> at_1_N = base_moments(FrictionLaw::powers, thrust, values);
+  // Under thrust alone, the moments of `powers` are proportional to powers of the load.
+  double load_sum = 0.0, viscous_sum = 0.0;
   for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
     const bearing::BallEquilibrium& ball = balls.distinct()[k];
     for (const double load : {ball.inner_load, ball.outer_load}) {
-      thrust.axial_load = thrust_per_load * load;
-      const BaseMoments<double> m = base_moments(FrictionLaw::powers, thrust, values);
-      mean.load += balls.weight(k) / contacts * m.load;
-      mean.viscous += balls.weight(k) / contacts * m.viscous;
+      if (load <= 0.0) continue;
+      const double ln_load = std::log(load);
+      load_sum += balls.weight(k) * std::exp((1.0 + values[2]) * ln_load);
+      viscous_sum += balls.weight(k) * std::exp(values[4] * ln_load);
     }
   }
-  return mean;
+  return {at_1_N.load * load_sum / (2.0 * Z), at_1_N.viscous * viscous_sum / (2.0 * Z)};
 }
 
 void require_data(FrictionLaw law, const bearing::Bearing& bearing) {
