@@ -136,7 +136,7 @@ std::string refused_by_rollers(const effects::Description& effect) {
 /// Why a measured torque has no such effect, in words; empty if it does.
 std::string refused_by_table(const effects::Description& effect) {
   if (effect.lubricant || effect.base_law || effect.of_viscous_moment)
-    return "another base law: a friction table does not separate the viscous moment from the rest";
+    return "another base law: the program does not change the viscous moment of a friction table";
   return {};
 }
 
