@@ -20,8 +20,8 @@ struct LoadFactors {
 /// F_a/(Z D² cos α), so f0 is not needed.
 /// Source:   [ISO281, table 3], not checked against the print. All rows come from a transcript. In
 ///           every row, X + Y e = 1 within 1 % (tested), because P is continuous at e.
-/// Domain:   α0 from 0 to 45 deg, magnitude of F_a. NaN outside.
-/// Accuracy: as accurate as the published table. Under preload or at speed, reference_life.h is
+/// Domain:   α0 from 0 to 45 deg, NaN above. The function uses the magnitude of F_a.
+/// Accuracy: as accurate as the published table. Under preload or at speed, reference_life() is
 ///           more accurate.
 [[nodiscard]] LoadFactors load_factors(const bearing::BearingGeometry& geometry, double axial_load);
 
