@@ -6,7 +6,7 @@
 
 #include "control/plan.h"
 
-/// Names of the numbers of a plan in the table of coefficients; shared by writer and reader.
+/// Names of the numbers of a ControlPlan in a table of coefficients, for its writer and its reader.
 namespace raceway::control {
 
 template <typename Part>
