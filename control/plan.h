@@ -25,12 +25,11 @@ namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-/// An input of the exported program, such as a temperature or the speed. The control supplies its
-/// value at each call.
+/// An input of the exported program. The control supplies its value at each call.
 struct ControlInput {
-  std::string column{};      ///< "front_bearing_temperature_C"
+  std::string column{};      ///< name of the column: "front_bearing_temperature_C"
   std::string identifier{};  ///< unique name for languages without hyphens
-  std::string unit{};        ///< "C"
+  std::string unit{};        ///< unit of the column: "C"
   bool temperature = false;
   bool by_amount = true;  ///< true: the absolute value is used, as for speeds, feeds and coolant
   /// Range of the input in the training data; NaN if not known. For several models, the range is
@@ -83,7 +82,7 @@ struct ControlDrive {
   double exponent = 1.0;                   ///< exponent of the kind size
   double decay_rpm = unset;                ///< n0 of the kind motor
   double lowest = unset, highest = unset;  ///< range of a power in the training data [W]
-  std::string unit{};                      ///< "K"
+  std::string unit{};                      ///< unit of u: "K"
   /// Index of the input of the window, the position of a machine axis. The window is a factor: 0
   /// outside `window_from` and `window_to`, 1 between `window_full_from` and `window_full_to`, and
   /// linear between.
@@ -98,7 +97,7 @@ struct ControlSection {
   std::size_t drive = nowhere;
   double gain = unset;  ///< [um] per unit of u
   double time_constant_s = unset;
-  bool straight = false;  ///< true: u is linear between samples; false: constant
+  bool straight = false;  ///< true: u is linear between samples; false: u is constant
   double direct = 0.0;    ///< share of gain u that acts at once, because the sensor has a lag [1]
   /// Factors on the gain and on the time constant while coolant_on is 0.
   double off_gain = 1.0, off_time_constant = 1.0;
@@ -162,7 +161,7 @@ struct ControlKinematic {
 
 /// Correction of one displacement, and the output that it moves.
 struct ControlAxis {
-  std::string column{};      ///< "displacement_z_um"
+  std::string column{};      ///< column of the displacement: "displacement_z_um"
   std::string identifier{};  ///< unique name for languages without hyphens
   std::string name{};        ///< name of the model
   std::string letter{};      ///< machine axis that the output moves: "z"; empty if not given
@@ -228,12 +227,12 @@ struct ControlPlan {
 /// identifiers of inputs and axes to names that are valid in the target languages.
 void in_order(ControlPlan& plan);
 
-/// Increases stuck_s, the time after which the program reports an unchanged sensor as stuck,
-/// because a working sensor was constant for `still_s` [s]. The new time is 1.5 times `still_s`,
-/// rounded up to 10 minutes, and at most one day. The function changes only temperature inputs,
-/// only to a longer time, and only if `settings` have the default of stuck_s. Returns a sentence
-/// that describes the change; empty if nothing changed. `where` names the record in which the
-/// sensor was constant.
+/// Increases stuck_s, the time after which the program reports a constant sensor as stuck, because
+/// a working sensor was constant for `still_s` [s]. The new time is 1.5 times `still_s`, rounded up
+/// to 10 minutes, and at most one day. The function changes only temperature inputs, only to a
+/// longer time, and only if `settings` have the default of stuck_s. Returns a sentence that
+/// describes the change; empty if nothing changed. `where` names the record in which the sensor was
+/// constant.
 [[nodiscard]] std::string allow_to_stand(ControlInput& input, double still_s,
                                          const correction::ControlSettings& settings,
                                          const std::string& where);

@@ -39,10 +39,10 @@ struct HeatSplit {
 ///
 /// Each sum is over the balls that touch the race; v is the rolling speed at the contact. All heat
 /// of an inner contact is assigned to the inner ring, including the heat that flows into the ball.
-/// The split of spin friction is exact. The split of the other two moments is an assumption: load
-/// friction is proportional to contact load times rolling path, viscous friction to the rolling
-/// path only (equal films at both races). At low speed, Q and v are equal at both contacts, and
-/// each ring gets half. Each ring also gets half if no ball is loaded.
+/// The split of spin friction is exact. The other splits are assumptions: load friction is
+/// proportional to contact load times rolling path, viscous friction to the rolling path only
+/// (equal films at both races). At low speed, Q and v are equal at both contacts, and each ring
+/// gets half. Each ring also gets half if no ball is loaded.
 ///
 /// Domain:   the heat is NaN without a converged equilibrium, and zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,

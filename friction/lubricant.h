@@ -17,8 +17,8 @@ enum class Supply { oil_air, grease, jet, bath };
 /// Returns the supply with this name in files; nullopt for other names.
 [[nodiscard]] std::optional<Supply> find_supply(std::string_view name);
 
-/// Kinematic viscosity of a lubricant as a function of temperature [m²/s]. For a grease, the
-/// viscosity of its base oil.
+/// Kinematic viscosity of a lubricant as a function of temperature [m²/s]. For a grease, it is the
+/// viscosity of the base oil.
 ///
 ///   log log Z = A - B log T,   Z = ν + 0.7 + exp(-1.47 - 1.84 ν - 0.51 ν²)
 ///   ν = (Z - 0.7) - exp(-0.7487 - 3.295 (Z - 0.7) + 0.6119 (Z - 0.7)² - 0.3193 (Z - 0.7)³)

@@ -66,7 +66,7 @@ T static_equivalent_load(const BearingState<T>& s) {
   return combined < s.radial_load ? s.radial_load : combined;
 }
 
-/// Load that determines the factor f1 [N]: P0 or F_b, as selected by BearingState::f1_load.
+/// Load that determines the factor f1 [N]: P0 or F_b, see BearingState::f1_load.
 template <typename T>
 T f1_load(const BearingState<T>& s) {
   return s.f1_load == F1Load::P0 ? static_equivalent_load(s) : palmgren_load(s);

@@ -57,9 +57,9 @@ struct PowersViscous {
 ///
 /// The sum is over the inner and outer contacts of all balls. Q is the load of a contact. M_p(F_a)
 /// is a moment of the law `powers` under the thrust F_a alone. At low speed, the contact angles are
-/// near α0, and under pure thrust F_a, M is nearly M_p(F_a). At high speed the centrifugal force
-/// loads the outer contacts more. For α0 = 0, sin α0 is replaced by sin 15 deg, the angle of
-/// palmgren_load().
+/// near α0, and under pure thrust F_a, M is nearly M_p(F_a). At high speed, the centrifugal force
+/// increases the loads of the outer contacts. For α0 = 0, sin α0 is replaced by sin 15 deg, the
+/// angle of palmgren_load().
 ///
 /// Source:   derived. The rolling moment of one contact is a product of powers of speed and load
 ///           [BibouletHoupert2010].

@@ -58,9 +58,9 @@ struct RollerPalmgrenLoad {
 /// Source: the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 
-/// Constants of the SKF model for cylindrical roller bearings with a cage, dimension series 10, for
-/// d_m in mm, F in N, n in rpm, ν in mm²/s and moments in N mm. The constants are quoted from
-/// memory and were not checked against the catalogue table.
+/// Constants of the SKF model for cylindrical roller bearings with a cage, dimension series 10, in
+/// units of mm, N, rpm, mm²/s and N mm. The constants are quoted from memory and were not checked
+/// against the catalogue table.
 struct SkfRollerConstants {
   double R1 = 1.12e-6;
   double S1 = 0.16;  ///< factor of the axial load, which is always 0 here
@@ -99,7 +99,7 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 /// Friction moments of a law of rollers [N m]: load moment and viscous moment.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const RollerState& state,
                                                  std::span<const double> values);
-/// Converts the state of a bearing in a model to the input of the roller laws. Without a converged
+/// Converts the state of a bearing to the input of the roller laws. Without a converged
 /// equilibrium, the sums of roller loads are NaN.
 [[nodiscard]] RollerState roller_state(const BearingState<double>& state);
 
@@ -112,15 +112,15 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///         are zero or NaN. The heat of both rings equals the power loss to within rounding error.
 [[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);
 
-/// Heat conductance from ring to ring through dry rollers at rest [W/K].
+/// Heat conductance between the rings through dry rollers at rest [W/K].
 ///
 ///   G = Σ 1/(R_i + R_o),   R = ((ln(4 L/b) - 1)/k_ring + ln(2 D/b)/k_roller)/(π L)
 ///
 /// b is the half width of the contact under the line load Q/L. k_ring and k_roller are thermal
 /// conductivities [W/(m K)]. Rollers that touch only one race conduct no heat.
 /// Source:   derived: a strip source on a half space, and a line source through a cylinder.
-/// Accuracy: 1 % compared with boundary elements. In a running bearing, oil and rolling motion
-///           transfer additional heat.
+/// Accuracy: the formula agrees with boundary element results to 1 %. In a running bearing, oil and
+///           rolling motion transfer additional heat.
 [[nodiscard]] double roller_conductance(const bearing::RollerBearing& bearing,
                                         const bearing::RollerEquilibrium& equilibrium,
                                         double roller_conductivity, double ring_conductivity);

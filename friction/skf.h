@@ -16,8 +16,7 @@ struct RingSize {
   [[nodiscard]] double mean_diameter() const { return 0.5 * (bore + outer_diameter); }
 };
 
-/// Constants of the SKF model for one bearing type, for d_m in mm, F in N, n in rpm, ν in mm²/s and
-/// moments in N mm.
+/// Constants of the SKF model for one bearing type, in units of mm, N, rpm, mm²/s and N mm.
 struct SkfConstants {
   double R1, R2, R3;  ///< constants of the rolling moment
   double S1, S2, S3;  ///< constants of the sliding moment

@@ -89,11 +89,11 @@ using TableLine =
 /// Fills a table, or one slab of it, on all cores.
 ///
 /// The table is divided into pieces of at most 256 points, independent of the number of threads. If
-/// the results of `line` depend only on its piece, the number of threads changes no digit. If each
-/// result depends only on its own point, joined slabs equal the whole table. `progress` is called
-/// with the finished fraction, up to 1, by one thread at a time. An exception from `line` or
-/// `progress` ends the build and reaches the caller. Throws std::invalid_argument like
-/// validate(axes), and if slab.index >= slab.count. Memory: the result, and one piece for each
+/// the results of `line` depend only on the points that it gets, the number of threads changes no
+/// digit. If each result depends only on its own point, joined slabs equal the whole table.
+/// `progress` is called with the finished fraction, up to 1, by one thread at a time. An exception
+/// from `line` or `progress` ends the build and reaches the caller. Throws std::invalid_argument
+/// like validate(axes), and if slab.index >= slab.count. Memory: the result, and one piece for each
 /// thread.
 [[nodiscard]] StribeckTable build_stribeck_table(const TableAxes& axes,
                                                  std::vector<std::string> columns,
@@ -123,10 +123,10 @@ struct InterpolatedMoment {
 
 /// Friction moment between the points of a table [N m].
 ///
-/// The function interpolates over one axis after the other, speed first and temperature last. The
-/// interpolation is monotone cubic Hermite (PCHIP) on an axis of four points or more, and linear on
-/// two or three points. The range of an axis with one point is this point. The moment is NaN if it
-/// depends on a grid point without a value.
+/// The function interpolates over one axis after the other, speed first and temperature last:
+/// monotone cubic Hermite (PCHIP) on an axis of four points or more, linear on two or three points.
+/// The range of an axis with one point is this point. The moment is NaN if it depends on a grid
+/// point without a value.
 ///
 /// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
 /// Domain:   the closed range of each axis, with a relative margin of 1e-9 for rounding of units.

@@ -38,18 +38,18 @@ struct TorqueTable {
   [[nodiscard]] bool has_band() const { return !band.friction_moment.empty(); }
   /// Friction moment of the table, without the factor `scale` [N m]; NaN if an input is not finite.
   [[nodiscard]] double moment(const BearingState<>& state) const { return value(grid, state); }
-  /// Half width of the band at a state [N m]; NaN without a band.
+  /// Half width of the 95 % error band at a state [N m]; NaN without a band.
   [[nodiscard]] double half_width(const BearingState<>& state) const {
     return has_band() ? value(band, state) : unset;
   }
-  /// Load-dependent part at a state [N m]; 0 if not known.
+  /// Load-dependent part of the moment at a state [N m]; 0 if not known.
   [[nodiscard]] double load_moment(const BearingState<>& state) const {
     return load.friction_moment.empty() ? 0.0 : value(load, state);
   }
   /// True if the state lies within the ranges of all axes. Throws std::invalid_argument if an input
   /// is not finite.
   [[nodiscard]] bool holds(const BearingState<>& state) const;
-  /// "500 to 9000 rpm, 100 to 400 N axial, 20 to 70 C": the ranges of the axes in the file.
+  /// Ranges of the axes in the file: "500 to 9000 rpm, 100 to 400 N axial, 20 to 70 C".
   [[nodiscard]] std::string range() const;
 
  private:

@@ -10,15 +10,15 @@
 #include "verdict/diagnose.h"
 
 /// Runs calibrate, diagnose and add for both kinds of models. For most models, the misfit is
-/// compared with the noise of the readings (verdict/). For models that only approximate the
+/// compared with the noise of the readings (verdict/). For a model that only approximates the
 /// readings (Subject::approximates()), the held-out error is compared with the tolerance of the
 /// user (tolerance/).
 namespace raceway::loop {
 
 using verdict::compare;
 
-/// Fits the free parameters of a model: calls tolerance::calibrate_approximation() if the model
-/// only approximates the readings, else verdict::calibrate_by_noise().
+/// Fits the free parameters by verdict::calibrate_by_noise(), or by
+/// tolerance::calibrate_approximation() for a model that only approximates.
 ///
 /// Throws std::invalid_argument like these functions, and if profile-likelihood intervals are
 /// requested for a model that only approximates, because its residuals are correlated in time.
@@ -26,17 +26,16 @@ using verdict::compare;
                                              const record::Record& record,
                                              const verdict::CalibrateOptions& options = {});
 
-/// Finds the effect that is missing in a model: calls tolerance::diagnose_approximation() if the
-/// model only approximates the readings, else verdict::diagnose_by_noise().
+/// Finds the missing effect by verdict::diagnose_by_noise(), or by
+/// tolerance::diagnose_approximation() for a model that only approximates.
 ///
 /// Throws std::invalid_argument like these functions, and if options.tried_before is not between 0
 /// and a million.
 [[nodiscard]] verdict::Diagnosis diagnose(const fit::Subject& subject, const record::Record& record,
                                           const verdict::DiagnoseOptions& options = {});
 
-/// Adds effects to a model and fits it again: calls tolerance::add_approximation() if the model
-/// only approximates the readings, else verdict::add_by_noise(). Throws std::invalid_argument like
-/// these functions.
+/// Adds effects and fits again by verdict::add_by_noise(), or by tolerance::add_approximation() for
+/// a model that only approximates.
 [[nodiscard]] verdict::AddResult add(const fit::Subject& subject, std::span<const std::string> ids,
                                      const record::Record& record);
 

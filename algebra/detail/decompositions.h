@@ -7,8 +7,8 @@
 ///
 /// Eigen's decompositions are templates that take many seconds to compile. This folder compiles
 /// them once, for matrices of double, and other files call functions. Each function returns exactly
-/// the result of Eigen's class for its method. Files that decompose sparse matrices or matrices of
-/// a fixed size use Eigen directly.
+/// the result of Eigen's class for its method. Most functions return NaN if an entry of A is not
+/// finite.
 namespace raceway::algebra {
 
 /// Solution x of min |b - A x|, by QR with column pivoting. A: m × n, b: m, x: n.
@@ -118,7 +118,7 @@ class HouseholderQr {
   [[nodiscard]] Eigen::MatrixXd Q() const;
   /// R⁻¹: n × n, upper triangular.
   [[nodiscard]] Eigen::MatrixXd inverse_R() const;
-  /// ln det(AᵀA).
+  /// Returns ln det(AᵀA).
   [[nodiscard]] double log_determinant() const;
 
  private:
@@ -145,7 +145,7 @@ class LowerRoot {
 
   /// L⁻¹ b.
   [[nodiscard]] Eigen::VectorXd solve_root(const Eigen::VectorXd& b) const;
-  /// ln det A. Meaningless if A is not positive definite.
+  /// Returns ln det A. The result is meaningless if A is not positive definite.
   [[nodiscard]] double log_determinant() const;
 
  private:

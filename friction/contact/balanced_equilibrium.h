@@ -40,8 +40,7 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// Used share of the step from the old to the new rotations [1]. The share is reduced if forces
-  /// and rotations oscillate.
+  /// Used share of the step to the new rotations [1], reduced if forces and rotations oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };
@@ -59,9 +58,9 @@ struct BalancedEquilibrium {
   bearing::SolveReport report;
 };
 
-/// Finds the displacement of the inner ring at which the bearing balances the external load, and
-/// the rotation of each ball (BallAttitudes). The centrifugal force at the computed orbital speed
-/// and the friction forces T_i, T_o at both contacts act on each ball.
+/// Finds the displacement of the inner ring at which the bearing balances the load, and the
+/// rotation of each ball (BallAttitudes). The centrifugal force at the computed orbital speed and
+/// the friction forces T_i, T_o at both contacts act on each ball.
 ///
 /// The solver alternates between forces for given rotations and rotations for given forces. The
 /// solver starts from outer control or from the rotations in `neighbour`, the solution of a similar
@@ -80,10 +79,10 @@ struct BalancedEquilibrium {
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Finds the equilibrium of an arrangement whose balls rotate without race control. `oils` contains
-/// one entry for each bearing, or one entry for all bearings. The report of the result describes
-/// the whole arrangement and counts the Newton iterations of all passes. Throws
-/// std::invalid_argument like solve_arrangement(), and if the number of oils is wrong.
+/// Finds the equilibrium of an arrangement without race control. `oils` contains one entry for each
+/// bearing, or one entry for all bearings. The report describes the whole arrangement and counts
+/// the Newton iterations of all passes. Throws std::invalid_argument like solve_arrangement(), and
+/// if the number of oils is wrong.
 [[nodiscard]] bearing::ArrangementEquilibrium solve_balanced_arrangement(
     const bearing::Arrangement& arrangement, const bearing::ArrangementCondition& condition,
     std::span<const OilState> oils, const ContactLaw& law,
@@ -92,9 +91,8 @@ struct BalancedEquilibrium {
 
 /// Returns the friction of a bearing in which traction determines the rotation of the balls. Use
 /// bearing_friction() for race control. The function computes the rotations with `oil` and `law`
-/// under the ball loads of `equilibrium`, even if the equilibrium was solved for another oil
-/// temperature. The moments are NaN if the equilibrium did not converge or if the solver finds no
-/// rotation for a ball.
+/// under the ball loads of `equilibrium`. The moments are NaN if the equilibrium did not converge
+/// or if no rotation is found for a ball.
 template <typename Look>
 [[nodiscard]] BearingFriction balanced_friction(const bearing::Bearing& bearing,
                                                 const bearing::BearingEquilibrium& equilibrium,

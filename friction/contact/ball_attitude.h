@@ -43,12 +43,12 @@ class TurningBall;
 /// M is the moment of traction about the centre of the ball, J the moment of inertia of the ball,
 /// x̂ the direction of the bearing axis, and w the rotation of the ball relative to the cage.
 ///
-/// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
-/// analytic. Traction is the gradient of a potential that is convex in these speeds. The gyroscopic
-/// moment adds an antisymmetric term to the derivatives. Therefore exactly one solution exists for
-/// a given cage speed, and every Newton step leads towards this solution. If dry friction changes
-/// direction too sharply for Newton's method, the solver first smooths this change and then removes
-/// the smoothing.
+/// The unknowns are the slips at the centres of both contacts and ω_R sin β. Traction is the
+/// gradient of a potential that is convex in these speeds. The gyroscopic moment adds an
+/// antisymmetric term to the derivatives. Therefore exactly one solution exists for a given cage
+/// speed, and every Newton step leads towards this solution. If dry friction changes direction too
+/// sharply for Newton's method, the solver first smooths this change and then removes the
+/// smoothing.
 ///
 /// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
 ///           the ball turns until its gyroscopic moment vanishes (β near 0); under boundary
@@ -69,8 +69,8 @@ class BallAttitudes {
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
   /// Returns the rotation of a ball with films at the cage speed of `start`, or at the cage speed
-  /// of outer control if there is no converged `start`. Call this function in an iteration; solve()
-  /// repeats it until the film speed agrees with the resulting cage speed.
+  /// of outer control if there is no converged `start`. solve() repeats this step until both cage
+  /// speeds agree.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 

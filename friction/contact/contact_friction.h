@@ -54,11 +54,10 @@ struct RaceFriction {
   double supply_factor;  ///< replenishment factor φ_rs [1]
 
   /// Returns the friction of one contact with the load Q > 0 [N]. The film is computed at the
-  /// surface speed of `motion` times `film_speed`. For standstill, set `film_speed` to 0:
-  /// asperities then carry the whole load (φ = 1), there is no rolling resistance, and power
-  /// divided by shaft speed is the limit for slow rotation. At contact angles above a right angle,
-  /// the ball rolls in the opposite direction, with the same resistance. `centre` is described at
-  /// film_traction().
+  /// surface speed of `motion` times `film_speed`. `film_speed` = 0 means standstill: asperities
+  /// carry the whole load, there is no rolling resistance, and power divided by shaft speed is the
+  /// limit for slow rotation. At contact angles above a right angle, the ball rolls in the opposite
+  /// direction, with equal resistance. `centre` is described at film_traction().
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
@@ -94,8 +93,7 @@ struct RaceFriction {
     return c;
   }
 
-  /// Returns the ellipse, peak pressure, speeds, film and asperity share of a contact, without its
-  /// losses.
+  /// Returns all values of a contact except slip, friction and losses.
   [[nodiscard]] ContactFriction film(double load, const ContactMotion& motion,
                                      double film_speed) const {
     ContactFriction c;
@@ -223,10 +221,10 @@ struct ContactsOfBall {
   ContactFriction inner, outer;
 };
 
-/// Sums the friction of all loaded contacts of a bearing in equilibrium at the shaft speed
-/// `turning` [rad/s]. `contacts(k, ball)` must return the friction at both contacts of distinct
-/// ball k. The function calls `look(k, race, friction, weight)` for each loaded contact; `weight`
-/// is the number of balls that ball k represents.
+/// Sums the friction of all loaded contacts of a bearing at the shaft speed `turning` [rad/s].
+/// `contacts(k, ball)` returns the friction at both contacts of distinct ball k. The function calls
+/// `look(k, race, friction, weight)` for each loaded contact; `weight` is the number of balls equal
+/// to ball k.
 template <typename Contacts, typename Look>
 [[nodiscard]] BearingFriction sum_over_contacts(const bearing::BearingEquilibrium& equilibrium,
                                                 double turning, Contacts&& contacts, Look&& look) {

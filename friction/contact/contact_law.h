@@ -50,8 +50,8 @@ inline constexpr std::array contact_parameters{
 /// contact_parameters.
 [[nodiscard]] ContactLaw contact_law(const ContactData& data, std::span<const double> values);
 
-/// Returns the oil properties at the temperature and the viscosity in `state`. An effect may have
-/// changed the temperature or the viscosity.
+/// Returns the oil at the temperature and viscosity in `state`. An effect may have changed either
+/// value.
 [[nodiscard]] OilState oil_of(const BearingState<double>& state);
 
 /// Friction at the contacts of one ball. `inner` or `outer` is empty if the ball does not touch
@@ -65,11 +65,11 @@ struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
   double mean_slip = unset;  ///< mean sliding speed of all contacts, Σ p |v|/Σ Q [m/s]
-  /// Friction force that balances the gyroscopic moment, divided by the contact load: largest value
-  /// of all contacts [1].
+  /// Largest ratio of the friction force that balances the gyroscopic moment to the contact load
+  /// [1].
   double holding_coefficient = unset;
-  /// Friction force that balances the gyroscopic moment, divided by the friction of film and
-  /// asperities in the contact: largest value of all contacts [1].
+  /// Largest ratio of the friction force that balances the gyroscopic moment to the friction of
+  /// film and asperities in the contact [1].
   double holding_over_traction = unset;
 
   [[nodiscard]] double moment() const { return friction.moment() + drag; }  ///< [N m]

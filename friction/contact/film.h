@@ -99,7 +99,7 @@ struct StarvationFactors {
   return std::sqrt(race * race + ball * ball);
 }
 
-/// Λ = h_min/composite roughness [1].
+/// Film ratio Λ = h_min/composite roughness [1].
 [[nodiscard]] inline double film_ratio(const Film& film, double composite_roughness) {
   return film.minimum / composite_roughness;
 }

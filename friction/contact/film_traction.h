@@ -12,24 +12,22 @@ namespace raceway::friction::contact {
 }
 
 /// Fast version of rolling_traction() for a film, with the same equations, vectorized over the
-/// points of the ellipse. The function finds v_x0, the slip along rolling at the centre, in single
-/// precision and confirms it in double precision.
+/// points of the ellipse. v_x0, the slip along rolling at the centre, is found in single precision
+/// and confirmed in double precision.
 ///
 /// With spin, the function uses 12 x 16 points of half the ellipse. Without spin, it uses 16 x 12
-/// points of a quarter. An accuracy of v_x0 of 1e-6 of its range is enough, because the power
-/// hardly depends on v_x0: if τ is proportional to v^m, the derivative of the power with respect to
-/// v_x0 is (1 + m) Σ τ_x = 0.
+/// points of a quarter. v_x0 is accurate to 1e-6 of its range. This is enough, because the power
+/// hardly depends on v_x0.
 /// Accuracy: the power is accurate to 0.2 % with dry friction only and to 0.05 % with a film. It
-///           agrees with rolling_traction() at the same points to 1e-6 (tested). The function
-///           allocates no memory.
+///           agrees with rolling_traction() at the same points to 1e-6 (tested).
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear);
 
 /// Overload that starts the search with -v_x0 = `centre` times the range of v_x0 [1]. On return,
-/// `centre` contains the solution, a good start for a similar contact, such as the next ball. With
-/// a close start, the search needs one pass over the points instead of three or four.
+/// `centre` contains the solution, a good start for a similar contact. With a close start, the
+/// search needs one pass over the points instead of three or four.
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear,
                                      double& centre);
-/// Usual start value for `centre` in film_traction(), if no similar contact was solved before [1].
+/// Usual start value for `centre` in film_traction() [1].
 inline constexpr double usual_centre = 0.2;
 
 }  // namespace raceway::friction::contact

@@ -7,8 +7,8 @@
 #include "friction/lubricant.h"
 #include "record/units.h"
 
-/// Contacts of ball and race: film, rolling resistance of the oil, traction, hysteresis. This file
-/// has the formulas of one contact; contact_friction.h sums the friction over a bearing.
+/// Friction laws for contacts of ball and race: film, rolling resistance of the oil, traction,
+/// hysteresis. bearing_friction() sums the friction over a bearing.
 namespace raceway::friction::contact {
 
 /// Types of oil, with different properties in oil_defaults(). For a grease, use the type of its
@@ -31,7 +31,7 @@ struct OilDefaults {
   double conductivity;          ///< k_f, thermal conductivity [W/(m K)]
   double limiting_traction;     ///< largest shear stress of the film divided by pressure [1]
   double pressure_viscosity_s;  ///< s of pressure_viscosity() [1/GPa]
-  double pressure_viscosity_t;  ///< t [1]
+  double pressure_viscosity_t;  ///< t of pressure_viscosity() [1]
 };
 
 /// Source:   textbook values of each type, s and t by [Gold2001]. All values are from memory and

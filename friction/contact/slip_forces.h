@@ -34,7 +34,7 @@ struct SlipForces {
 };
 
 /// One loaded contact ellipse with any combination of the four slip components. TractionField is
-/// for given rolling and spin. The constructor prepares the shear law at each pressure once.
+/// for given rolling and spin.
 ///
 /// Source:   slip field of TractionField.
 /// Domain:   Q > 0; any motion.

@@ -50,8 +50,7 @@ struct TractionSums {
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x,   τ = τ(p, |v|) v/|v|
 ///
 /// One integral includes spin, differential and gyroscopic sliding, because their friction forces
-/// cannot be computed separately and added. The constructor prepares the shear law at each pressure
-/// once; sums() then evaluates any v_x0 and v_y0.
+/// cannot be computed separately and added.
 /// Source:   derived. With dry friction, pure spin gives the moment (3/8) μ Q a E(k) of
 ///           [Harris2006, vol. 2, ch. 5], and pure differential sliding gives the power 0.1611 μ Q
 ///           ω_roll a²/(2 R).

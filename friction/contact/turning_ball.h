@@ -157,8 +157,9 @@ class TurningBall {
     const double inner = ci_ + pitch * si_, outer = co_ + pitch * so_;
     return speed_ * inner_radius_ * outer / (inner_radius_ * outer + outer_radius_ * inner);
   }
-  /// Returns tan β under outer and inner control.
+  /// Returns tan β under outer control.
   [[nodiscard]] double outer_control() const { return so_ / (co_ + half_ / pitch_radius()); }
+  /// Returns tan β under inner control.
   [[nodiscard]] double inner_control() const { return si_ / (ci_ - half_ / pitch_radius()); }
 
  private:

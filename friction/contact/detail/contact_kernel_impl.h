@@ -196,8 +196,7 @@ template <class F, bool film, bool asperities, bool spins>
 /// τ_x| is at most 3e-4 Σ |τ|. The power is then extrapolated linearly to Σ τ_x = 0. The search
 /// also ends when the bracket is 5e-4 of its initial width, because Σ τ_x jumps where the slip of a
 /// point changes direction; there the power hardly depends on v_x0. If a Newton step does not halve
-/// Σ τ_x, the chord of the bracket replaces the step, because the jumps are small compared with the
-/// chord.
+/// Σ τ_x, the chord of the bracket replaces the step.
 template <class F, bool film, bool asperities, bool spins>
 void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   const F zero(0.0f);
