@@ -98,8 +98,7 @@ T f1_ratio(const BearingState<T>& s) {
 ///           (P0/C0)^y is in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
 ///           contact. Other makers use z up to 0.001. The form with F_b is in [CaseStudy, eqs. 20,
 ///           21].
-/// Domain:   F_b >= 0; the moment is zero at zero load. C0 must be given (require_data() checks
-///           this).
+/// Domain:   F_b >= 0, zero at zero load; C0 given (require_data() in friction_law.h).
 /// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z differs by
 ///           up to 50 % between makers; calibration fits z.
 struct PalmgrenLoad {
