@@ -8,9 +8,10 @@
 
 /// Writes corrections as programs and tables for a control on which raceway is not installed.
 ///
-/// If all inputs are valid and within the ranges of the models, the programs give the same numbers
-/// as `correct`, except for the differences in ControlPlan::notes. Flags have the same meaning in
-/// all programs: see docs/control.md. `name` is the file name without extension, as an identifier.
+/// If all inputs are valid and within the ranges of the models, the programs compute the same
+/// displacements as `correct`, except for the differences in ControlPlan::notes. All programs
+/// report faults with the same flags: see docs/control.md. `name` is the file name without
+/// extension, as an identifier.
 namespace raceway::control {
 
 /// Returns a program for Python 2.7 and 3. The program needs only the standard library.
@@ -19,19 +20,19 @@ namespace raceway::control {
 /// Returns a C99 header, for double or float. The header needs only math.h.
 [[nodiscard]] std::string control_c(const ControlPlan& plan, std::string_view name);
 
-/// Returns a component of LinuxCNC's HAL in Python.
+/// Returns a Python component for HAL, the hardware abstraction layer of LinuxCNC.
 [[nodiscard]] std::string control_linuxcnc(const ControlPlan& plan);
 
-/// Returns the lines of HAL that load the component `name` from the file `program` and connect it
-/// to the axes. Throws InputError if the letter of an axis is unknown.
+/// Returns the HAL commands that load the component `name` from the file `program` and connect it
+/// to the axes. Throws InputError if an axis has no letter.
 [[nodiscard]] std::string control_hal(const ControlPlan& plan, std::string_view name,
                                       std::string_view program);
-/// Returns the lines of HAL that move the offset back to 0 before LinuxCNC ends.
+/// Returns the HAL commands that move the offsets back to 0 before LinuxCNC ends.
 [[nodiscard]] std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                                std::string_view program);
 
-/// Returns a table with one number per row, with its unit and the part of the correction that uses
-/// it.
+/// Returns the table of coefficients (CSV): one number per row, with its unit and the part of the
+/// correction that uses it.
 [[nodiscard]] std::string control_csv(const ControlPlan& plan);
 
 }  // namespace raceway::control

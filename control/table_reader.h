@@ -7,13 +7,14 @@
 
 namespace raceway::control {
 
-/// Returns true for a table of coefficients that control_csv() wrote.
+/// Returns true if the text is a table of coefficients from control_csv().
 [[nodiscard]] bool is_control_table(std::string_view text);
 
 /// Reads the plan from a table of coefficients. Users may edit the numbers in the table. `source`
-/// is the file name in messages. If the plan is written again, all numbers are unchanged.
+/// is the file name for messages. If the plan is written again, the numbers do not change.
 ///
-/// Throws InputError with file, line, part, name, value and allowed range.
+/// Throws InputError if the table is not valid; the message names file, line, part, name, value and
+/// allowed range.
 [[nodiscard]] ControlPlan read_control_table(std::string text, const std::string& source);
 
 }  // namespace raceway::control

@@ -14,11 +14,12 @@
 namespace raceway::friction {
 
 /// Base law of a model. `contact` sums friction over the balls in equilibrium
-/// (friction/contact/contact_law.h). `table` is a measured table (friction/torque_table.h).
-/// `powers` and `contact_powers` are fitted to measurements (friction/powers.h). All laws but
-/// `contact`, `contact_powers` and `table` are formulas for the whole bearing. Laws of cylindrical
-/// rollers have other parameters (friction/roller_friction.h). In files, the roller laws have the
-/// names of the ball laws; the type of the bearing selects the law.
+/// (friction/contact/contact_law.h). `table` interpolates a measured table
+/// (friction/torque_table.h). `powers` and `contact_powers` are fitted to measurements
+/// (friction/powers.h). All laws but `contact`, `contact_powers` and `table` are formulas for the
+/// whole bearing. The laws of cylindrical roller bearings have other parameters
+/// (friction/roller_friction.h). In files, the roller laws have the names of the ball laws; the
+/// type of the bearing selects the law.
 enum class FrictionLaw {
   palmgren,
   skf,
@@ -44,22 +45,22 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] constexpr bool has_fitted_exponents(FrictionLaw law) {
   return law == FrictionLaw::powers || law == FrictionLaw::contact_powers;
 }
-/// True if the law has Palmgren's load moment under the load `f1_load`, and the parameters f0, z
-/// and y.
+/// True if the law contains Palmgren's load moment (PalmgrenLoad) and has the parameters f0, z and
+/// y.
 [[nodiscard]] constexpr bool has_palmgren_load(FrictionLaw law) {
   return law == FrictionLaw::palmgren || has_fitted_exponents(law);
 }
-/// Returns all laws for the kind of bearing to which this law belongs.
+/// Returns all laws of ball bearings, or all laws of roller bearings if `law` is one of them.
 [[nodiscard]] constexpr std::span<const FrictionLaw> laws_of_same_bearing(FrictionLaw law) {
   if (of_rollers(law)) return roller_friction_laws;
   return all_friction_laws;
 }
 
 [[nodiscard]] std::string_view name(FrictionLaw law);
-/// Returns the law of ball bearings with this name in files.
+/// Returns the law of ball bearings with this name in files; nullopt for other names.
 [[nodiscard]] std::optional<FrictionLaw> find_friction_law(std::string_view name);
 
-/// Returns the name in files: "P0", "F_b", "F_r" or "rollers".
+/// Returns the name of a load in files: "P0", "F_b", "F_r" or "rollers".
 [[nodiscard]] std::string_view name(F1Load load);
 
 /// Parameters of the law, in the order of the values that base_moments() expects.
@@ -69,52 +70,53 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
-/// True if a parameter of a law belongs to the lubricant and is written with it in a file.
+/// True if model files give this parameter of a law in the table [lubricant].
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
-/// Bearing data that the law uses, as keys of a model file without units. Other bearing data do not
-/// change the moments.
+/// Returns the bearing data that the law uses, as keys of a model file without unit. Other bearing
+/// data do not change the moments.
 ///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
 ///   table:    no data; the list is empty
 ///   contact, contact_powers, laws of rollers: all data; the list is also empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
-/// True if the law uses the ball equilibrium. Without an equilibrium, such a law has no moments.
+/// True if the law uses the ball equilibrium. Without an equilibrium, the moments of such a law are
+/// NaN.
 [[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
   return law == FrictionLaw::contact || law == FrictionLaw::contact_powers;
 }
 
 /// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for laws with
-/// Palmgren's load moment, an angular contact for SKF. The program calls this function once for
-/// each model; the laws do not check again.
+/// Palmgren's load moment, a contact angle above 0 for SKF. The program calls this function once
+/// for each model; the laws do not check again.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For SKF, `load` is the sliding moment and `viscous` the
 /// rolling moment. For the contact law, `viscous` is the rolling resistance of the oil and `load`
-/// contains all other moments. For a table, `viscous` is the part that is not marked as load
-/// dependent.
+/// contains all other moments. For a table, `load` is the load-dependent part of the moment, and
+/// `viscous` is the rest.
 template <typename T>
 struct BaseMoments {
   T load;
   T viscous;
 };
 
-/// Laws of rollers for base_moments(). NaN if the law uses the roller loads and the rollers have no
-/// equilibrium.
+/// Moments of a roller law for base_moments(). Moments that depend on the roller loads are NaN
+/// without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
                                                  std::span<const double> values);
 
-/// Law `table` for base_moments(); NaN without a table.
+/// Moments of the law `table` for base_moments(); NaN without a table.
 [[nodiscard]] BaseMoments<double> table_moments(const BearingState<double>& state,
                                                 std::span<const double> values);
 
-/// Law `contact-powers` for base_moments(); NaN without a converged equilibrium.
+/// Moments of the law `contact-powers` for base_moments(); NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> contact_powers_moments(const BearingState<double>& state,
                                                          std::span<const double> values);
 
 namespace contact {
-/// Law `contact` for base_moments(); NaN without a converged equilibrium.
+/// Moments of the law `contact` for base_moments(); NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> contact_moments(const BearingState<double>& state,
                                                   std::span<const double> values);
 }  // namespace contact

@@ -20,7 +20,7 @@ T power_loss(const T& friction_moment, const T& speed) {
 /// Friction moments of one bearing by the place at which they produce heat [N m].
 struct HeatSources {
   double load = 0.0;     ///< load moment of the base law
-  double viscous = 0.0;  ///< viscous moment of the base law, and moments without a known place
+  double viscous = 0.0;  ///< viscous moment of the base law, plus moments whose place is not known
   double spin_coefficient = 0.0;  ///< coefficient of `spin-friction` [1]; 0 without this effect
 };
 
@@ -37,14 +37,14 @@ struct HeatSplit {
 ///   viscous   in proportion to         Σ v
 ///   v_i = (ω - ω_m) (d_m - D cos αi)/2,   v_o = ω_m (d_m + D cos αo)/2
 ///
-/// The sums include the balls that touch the race; v is the rolling speed at the contact. All heat
-/// of an inner contact belongs to the inner ring, including the heat that flows into the ball. The
-/// spin part is exact. The other two parts use an assumption on how a moment of the whole bearing
-/// is shared: rolling resistance in proportion to contact load times path, film shear in proportion
-/// to the path only (equal films at both races). At low speed, Q and v are equal at both contacts,
-/// and each ring gets half.
+/// Each sum is over the balls that touch the race; v is the rolling speed at the contact. All heat
+/// of an inner contact is assigned to the inner ring, including the heat that flows into the ball.
+/// The split of spin friction is exact. The other splits are assumptions: load friction is
+/// proportional to contact load times rolling path, viscous friction to the rolling path only
+/// (equal films at both races). At low speed, Q and v are equal at both contacts, and each ring
+/// gets half. Each ring also gets half if no ball is loaded.
 ///
-/// Domain:   a state with a converged equilibrium, else NaN; zero at standstill.
+/// Domain:   the heat is NaN without a converged equilibrium, and zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,
                                           const HeatSources& sources) {
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return {};

@@ -10,22 +10,22 @@ namespace raceway::friction {
 /// Lubricant supply of the bearing.
 enum class Supply { oil_air, grease, jet, bath };
 
-/// Name in files: "oil-air", "grease", "jet", "bath".
+/// Name of a supply in files: "oil-air", "grease", "jet", "bath".
 [[nodiscard]] std::string_view name(Supply supply);
-/// Name in text: "oil-air", "grease", "an oil jet", "an oil bath".
+/// Name of a supply in messages: "oil-air", "grease", "an oil jet", "an oil bath".
 [[nodiscard]] std::string_view words(Supply supply);
-/// Returns the supply with this name in files.
+/// Returns the supply with this name in files; nullopt for other names.
 [[nodiscard]] std::optional<Supply> find_supply(std::string_view name);
 
-/// Kinematic viscosity of a lubricant as a function of temperature [m²/s]. For a grease, the
-/// viscosity of its base oil.
+/// Kinematic viscosity of a lubricant as a function of temperature [m²/s]. For a grease, it is the
+/// viscosity of the base oil.
 ///
 ///   log log Z = A - B log T,   Z = ν + 0.7 + exp(-1.47 - 1.84 ν - 0.51 ν²)
 ///   ν = (Z - 0.7) - exp(-0.7487 - 3.295 (Z - 0.7) + 0.6119 (Z - 0.7)² - 0.3193 (Z - 0.7)³)
 ///
-/// ν [mm²/s], T [K]; only this class converts these units. A and B follow from the values at 40 and
-/// 100 °C. The published inverse has an error of up to 2.4e-4. Newton's method on the first line
-/// removes this error, so the class reproduces the given values.
+/// ν is in mm²/s and T in K; the class converts these units. A and B follow from the viscosities at
+/// 40 and 100 °C. The second line, the published inverse, has an error of up to 2.4e-4. Newton's
+/// method on the first line removes this error, so the class reproduces both given viscosities.
 ///
 /// Source:   [ASTMD341, eqs. 1 to 3].
 /// Domain:   ν at 40 °C from 1 to 100 000 mm²/s; ν at 100 °C at least 0.5 mm²/s and below ν at 40
@@ -35,11 +35,12 @@ enum class Supply { oil_air, grease, jet, bath };
 ///           the error is below 3 % from 50 to 80 °C. Near the pour point a real oil is thicker.
 class Lubricant {
  public:
-  /// Throws std::invalid_argument naming the value that is missing or out of range.
+  /// Viscosities are in m²/s. Throws std::invalid_argument if one is missing or out of range; the
+  /// message names it.
   Lubricant(double viscosity_40C, double viscosity_100C);
 
   [[nodiscard]] double kinematic_viscosity(double temperature) const;
-  /// -d ln ν/dT [1/K], the derivative of the first line; positive in the domain.
+  /// Returns -d ln ν/dT [1/K] from the first line of the formula; positive in the domain.
   [[nodiscard]] double viscosity_slope(double temperature) const;
   [[nodiscard]] double viscosity_40C() const { return viscosity_40C_; }    ///< [m²/s]
   [[nodiscard]] double viscosity_100C() const { return viscosity_100C_; }  ///< [m²/s]

@@ -11,7 +11,7 @@
 
 namespace raceway::friction {
 
-/// Load in the load torque of a ball bearing [N].
+/// Load F_b in Palmgren's load moment of a ball bearing [N].
 ///
 ///   F_b = max(0.9 F_a cot α0 - 0.1 F_r, F_r)      α0 > 0
 ///   F_b = max(3.3 F_a - 0.1 F_r, F_r)             α0 = 0
@@ -36,7 +36,7 @@ struct StaticLoadFactors {
   double X0, Y0;
 };
 
-/// Factors of a single row bearing with contact angle α0 [1].
+/// Static load factors of a single row bearing with contact angle α0 [1].
 ///
 ///   X0 = 0.5,  Y0 = 0.46  0.42  0.38  0.33  0.29  0.26  0.22       0 < α0
 ///    at α0 =         15    20    25    30    35    40    45 deg, linear between, constant outside
@@ -66,14 +66,14 @@ T static_equivalent_load(const BearingState<T>& s) {
   return combined < s.radial_load ? s.radial_load : combined;
 }
 
-/// Load of the factor f1 [N]: P0 or F_b.
+/// Load that determines the factor f1 [N]: P0 or F_b, see BearingState::f1_load.
 template <typename T>
 T f1_load(const BearingState<T>& s) {
   return s.f1_load == F1Load::P0 ? static_equivalent_load(s) : palmgren_load(s);
 }
 
-/// Load in the middle of the range of spindle bearings [N]: F_b = 1000 N, or the P0 of about the
-/// same thrust. Fitted load exponents refer to this load.
+/// Typical load of a spindle bearing [N]: F_b = 1000 N, or the P0 of about the same thrust. Fitted
+/// load exponents refer to this load.
 [[nodiscard]] constexpr double medium_load(F1Load load) {
   return load == F1Load::P0 ? 200.0 : 1000.0;
 }
@@ -91,12 +91,13 @@ T f1_ratio(const BearingState<T>& s) {
 ///
 ///   M1 = f1 F_b d_m,   f1 = z (P0/C0)^y
 ///
-/// With BearingState::f1_load = F1Load::F_b, f1 = z (F_b/C0)^y: with the same z, the moment under
-/// pure thrust is then 1.7 to 1.9 times as large at contact angles of 25 to 15 deg. A value of z
-/// for one form is not valid for the other form.
+/// If BearingState::f1_load is F_b, f1 = z (F_b/C0)^y. With the same z, the moment under pure
+/// thrust is then 1.7 to 1.9 times as large at contact angles of 25 to 15 deg. A value of z for P0
+/// is not valid for F_b.
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 = z
 ///           (P0/C0)^y is in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
-///           contact. Other makers use z up to 0.001. With F_b: [CaseStudy, eqs. 20, 21].
+///           contact. Other makers use z up to 0.001. The form with F_b is in [CaseStudy, eqs. 20,
+///           21].
 /// Domain:   F_b >= 0, zero at zero load; C0 given (require_data() in friction_law.h).
 /// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z differs by
 ///           up to 50 % between makers; calibration fits z.

@@ -7,19 +7,19 @@
 
 namespace raceway::friction {
 
-/// Viscous moment of the law `powers` [N m]: Palmgren's, with free exponents.
+/// Viscous moment of the law `powers` [N m]: Palmgren's viscous moment with fitted exponents.
 ///
 ///   M0 = 1e-7 f0 300000^(2/3) (max(ν n, 2000)/300000)^a (P/P_m)^b d_m³
 ///
-/// ν n [mm²/s rpm] and d_m [mm] as in palmgren_viscous_moment(). P is the load f1_load(), and P_m
-/// is medium_load(). With a = 2/3 and b = 0 the moment is Palmgren's for ν n >= 2000. The
-/// references 300 000 and P_m separate the exponents from f0. The load moment of the law is
-/// PalmgrenLoad; its exponent 1 + y is fitted too.
+/// ν n is in mm²/s rpm and d_m in mm, as in palmgren_viscous_moment(). P is the load f1_load(), and
+/// P_m is medium_load(). With a = 2/3 and b = 0 the moment is Palmgren's for ν n >= 2000. The
+/// reference values 300 000 and P_m make f0 nearly independent of the exponents in a fit. The load
+/// moment of the law is PalmgrenLoad; its exponent 1 + y is fitted too.
 ///
 /// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47
 ///           [BibouletHoupert2010]. The exponents of a bearing have no published values; they are
 ///           fitted.
-/// Domain:   the measured speeds, loads and temperatures. Zero at zero load for b > 0.
+/// Domain:   the measured speeds, loads and temperatures. The moment is zero at zero load.
 /// Accuracy: as accurate as the fit within the measured range; unknown outside this range.
 struct PowersViscous {
   static constexpr std::array parameters{Parameter{.name = "viscous_exponent",
@@ -55,18 +55,18 @@ struct PowersViscous {
 ///
 ///   M = 1/(2 Z) Σ M_p(Z Q sin α0)
 ///
-/// The sum is over the inner and outer contacts of all balls. Q is the load of a contact.
-/// M_p(F_a) is a moment of the law `powers` under the thrust F_a alone. At low speed the running
-/// contact angles are near α0, and under thrust M is M_p of this thrust. At high speed the
-/// centrifugal force loads the outer contacts more. For α0 = 0, sin α0 is replaced by sin 15 deg,
-/// the angle of palmgren_load().
+/// The sum is over the inner and outer contacts of all balls. Q is the load of a contact. M_p(F_a)
+/// is a moment of the law `powers` under the thrust F_a alone. At low speed, the contact angles are
+/// near α0, and under pure thrust F_a, M is nearly M_p(F_a). At high speed, the centrifugal force
+/// increases the loads of the outer contacts. For α0 = 0, sin α0 is replaced by sin 15 deg, the
+/// angle of palmgren_load().
 ///
 /// Source:   derived. The rolling moment of one contact is a product of powers of speed and load
 ///           [BibouletHoupert2010].
 /// Domain:   as PowersViscous; the balls must be in equilibrium.
 /// Accuracy: as PowersViscous.
 struct ContactPowers {
-  /// Contact angle in the formula [rad].
+  /// Contact angle in the formula [rad]: α0, or 15 deg if α0 = 0.
   static double angle_of_thrust(const bearing::Bearing& bearing) {
     const double angle = bearing.geometry().contact_angle;
     return angle > 0.0 ? angle : 15.0 * degree;

@@ -17,24 +17,25 @@ namespace raceway::friction {
 /// Inputs of the laws of a cylindrical roller bearing.
 struct RollerState {
   const bearing::RollerBearing* bearing = nullptr;
-  F1Load counted = F1Load::rollers;    ///< load F of the law: F_r or rollers
+  F1Load counted = F1Load::rollers;    ///< load F that the law uses: F_r or rollers
   double speed = 0.0;                  ///< [rad/s]
   double radial_load = 0.0;            ///< F_r [N], magnitude
-  double inner_sum = 0.0;              ///< Σ Qi [N]
-  double outer_sum = 0.0;              ///< Σ Qo [N]
+  double inner_sum = 0.0;              ///< Σ Qi, roller loads at the inner ring [N]
+  double outer_sum = 0.0;              ///< Σ Qo, roller loads at the outer ring [N]
   double kinematic_viscosity = unset;  ///< [m²/s]
 };
 
-/// Σ Q/F_r of straight rollers at zero clearance [1]: ∫cos^(10/9)/∫cos^(19/9) over half a circle.
+/// Sum of roller loads divided by radial load, Σ Q/F_r, for straight rollers at zero clearance [1]:
+/// ∫cos^(10/9)/∫cos^(19/9) over half a circle.
 inline constexpr double roller_sum_ratio = 1.25803095402823;
 
-/// Load F in a law [N].
+/// Load F in the friction laws of roller bearings [N].
 ///
 ///   F_r       the external load
 ///   rollers   F = max(F_r, (Σ Qi + Σ Qo)/(2 · 1.25803))
 ///
-/// At zero clearance and at rest both options give F_r. With `rollers`, a preloaded bearing without
-/// external load has a torque.
+/// At zero clearance and at rest, both options give F_r. With `rollers`, a preloaded bearing
+/// without external load has a load-dependent moment.
 /// Source: derived. The published laws use F_r only.
 [[nodiscard]] double counted_load(const RollerState& state);
 
@@ -57,9 +58,9 @@ struct RollerPalmgrenLoad {
 /// Source: the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 
-/// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10 [mm,
-/// N, rpm, mm²/s -> N mm]. The constants are quoted from memory and were not checked against the
-/// catalogue table.
+/// Constants of the SKF model for cylindrical roller bearings with a cage, dimension series 10, in
+/// units of mm, N, rpm, mm²/s and N mm. The constants are quoted from memory and were not checked
+/// against the catalogue table.
 struct SkfRollerConstants {
   double R1 = 1.12e-6;
   double S1 = 0.16;  ///< factor of the axial load, which is always 0 here
@@ -72,7 +73,8 @@ struct SkfRollerConstants {
 ///   M_rr = φ_ish φ_rs R1 d_m^2.41 F^0.31 (ν n)^0.6
 ///   M_sl = μ_sl (S1 d_m^0.9 F_a + S2 d_m F),   F_a = 0
 ///
-/// d_m = (d + D)/2, F is counted_load(); φ and μ_sl as in skf.h. μ_EHL = 0.02, from memory.
+/// The formulas are in the units of SkfRollerConstants. d_m is (d + D)/2, F is counted_load(), and
+/// skf.h defines φ and μ_sl. The default 0.02 of μ_EHL is from memory.
 /// Source:   the formulas are in SKF, Rolling bearings (catalogue), friction, table 2a. For the
 ///           constants see SkfRollerConstants. The formulas have no term for centrifugal force.
 /// Domain:   speed >= 0, viscosity > 0; bore and outer diameter given.
@@ -87,18 +89,18 @@ struct RollerSkf {
 
 /// Returns the parameters of a law of rollers, for parameters().
 [[nodiscard]] std::span<const Parameter> roller_parameters(FrictionLaw law);
-/// Returns the law of rollers with this name in files.
+/// Returns the law of rollers with this name in files; nullopt for other names.
 [[nodiscard]] std::optional<FrictionLaw> find_roller_law(std::string_view name);
 
 /// Throws std::invalid_argument if the bearing lacks data that the law needs: bore and outer
 /// diameter for SKF. The program calls this function once for each model.
 void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 
-/// Friction moments of a law of rollers [N m], in the same form as for balls.
+/// Friction moments of a law of rollers [N m]: load moment and viscous moment.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const RollerState& state,
                                                  std::span<const double> values);
-/// Converts the state of a bearing in a model to the input of these laws. Without equilibrium the
-/// sums are NaN.
+/// Converts the state of a bearing to the input of the roller laws. Without a converged
+/// equilibrium, the sums of roller loads are NaN.
 [[nodiscard]] RollerState roller_state(const BearingState<double>& state);
 
 /// Splits the friction power of a cylindrical roller bearing between its rings [W].
@@ -106,18 +108,19 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///   viscous   half for each ring: the rolling speed ω d_m (1 - γ²)/4 is equal at both raceways
 ///   load      in proportion to Σ Qi and Σ Qo
 ///
-/// Source: like split_heat() for balls, at contact angle zero. The sum equals the power loss to
-///         within rounding error.
+/// Source: like split_heat() for balls, at contact angle zero. Each ring gets half if the sums Σ Q
+///         are zero or NaN. The heat of both rings equals the power loss to within rounding error.
 [[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);
 
-/// Heat conductance from ring to ring through dry rollers at rest [W/K].
+/// Heat conductance between the rings through dry rollers at rest [W/K].
 ///
 ///   G = Σ 1/(R_i + R_o),   R = ((ln(4 L/b) - 1)/k_ring + ln(2 D/b)/k_roller)/(π L)
 ///
-/// b is the half width of the contact under Q/L. Rollers that touch only one race conduct no heat.
+/// b is the half width of the contact under the line load Q/L. k_ring and k_roller are thermal
+/// conductivities [W/(m K)]. Rollers that touch only one race conduct no heat.
 /// Source:   derived: a strip source on a half space, and a line source through a cylinder.
-/// Accuracy: 1 % compared with boundary elements. Oil and rolling motion transfer more heat than
-///           this.
+/// Accuracy: the formula agrees with boundary element results to 1 %. In a running bearing, oil and
+///           rolling motion transfer additional heat.
 [[nodiscard]] double roller_conductance(const bearing::RollerBearing& bearing,
                                         const bearing::RollerEquilibrium& equilibrium,
                                         double roller_conductivity, double ring_conductivity);

@@ -8,22 +8,23 @@
 
 namespace raceway::friction {
 
-/// Dimensions in the SKF model [m].
+/// Bearing dimensions in the SKF model [m].
 struct RingSize {
-  double bore;            ///< d
+  double bore;            ///< bore, d
   double outer_diameter;  ///< diameter of the outer ring, D
   /// d_m of the SKF model: the mean of bore and outer diameter, not the pitch diameter.
   [[nodiscard]] double mean_diameter() const { return 0.5 * (bore + outer_diameter); }
 };
 
-/// Constants of a bearing type [mm, N, rpm, mm²/s -> N mm].
+/// Constants of the SKF model for one bearing type, in units of mm, N, rpm, mm²/s and N mm.
 struct SkfConstants {
   double R1, R2, R3;  ///< constants of the rolling moment
   double S1, S2, S3;  ///< constants of the sliding moment
-  double K_Z;         ///< constant of the bearing type, for replenishment
+  double K_Z;         ///< constant of replenishment_factor()
 };
 
-/// Single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a to 5].
+/// Constants of single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a
+/// to 5].
 /// Domain: the bearings of the catalogue have a contact angle of 40 deg (72 BE, 73 BE). Here
 ///         spindle bearings of 15 to 25 deg use the same constants, which the source does not
 ///         cover: R2 and S2, the factors of the axial load, are for 40 deg.
@@ -145,8 +146,7 @@ struct SkfRolling {
 /// these units. μ_bl is about 0.15. μ_EHL is 0.05 with mineral oil, 0.04 with synthetic oil and 0.1
 /// with transmission fluid.
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact).
-/// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, the moment is the moment of boundary
-///           lubrication.
+/// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, μ_sl is μ_bl.
 /// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
 struct SkfSliding {
   static constexpr std::string_view id = "skf_sliding";

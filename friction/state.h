@@ -19,8 +19,8 @@ struct TorqueTable;
 /// counted_load().
 enum class F1Load { P0, F_b, F_r, rollers };
 
-/// All inputs of a friction law for one bearing at one operating point. T is double or an automatic
-/// derivative. Values that do not depend on any parameter are always double.
+/// All inputs of a friction law for one bearing at one operating point. T is double or a type for
+/// automatic differentiation. Members that do not depend on a fitted parameter are always double.
 template <typename T = double>
 struct BearingState {
   const bearing::Bearing* bearing = nullptr;  ///< null if the bearing has cylindrical rollers
@@ -48,7 +48,7 @@ struct BearingState {
   }
 };
 
-/// Parameter of a law. The value can be given or fitted, and it has bounds.
+/// Parameter of a friction law, with bounds. Its value can be given or fitted.
 using Parameter = record::NumberCard;
 
 }  // namespace raceway::friction

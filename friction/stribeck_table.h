@@ -13,14 +13,14 @@
 
 namespace raceway::friction {
 
-/// Grid of a Stribeck table; each axis strictly increasing, one value or more.
+/// Grid of a Stribeck table. Each axis has at least one value, and its values increase strictly.
 struct TableAxes {
   std::vector<double> speed;        ///< [rad/s], >= 0
   std::vector<double> axial_load;   ///< [N]
-  std::vector<double> radial_load;  ///< along +y [N], >= 0
+  std::vector<double> radial_load;  ///< radial load along +y [N], >= 0
   std::vector<double> temperature;  ///< temperatures of the lubricant [K], > 0
 
-  /// Number of points; the largest integer if it overflows.
+  /// Number of grid points; the largest std::size_t if this number overflows.
   [[nodiscard]] std::size_t size() const;
 };
 
@@ -30,22 +30,22 @@ void validate(const TableAxes& axes);
 
 /// Values at one point of a table.
 struct TablePoint {
-  /// Status of the point: `converged` if all values are finite. A law that does not use the balls
-  /// has a moment even if the balls have no equilibrium. In this case the status describes the
-  /// equilibrium.
+  /// Status of the point: `converged` if all values are finite. A friction law that does not use
+  /// the ball equilibrium gives a moment even if the balls have no equilibrium; the status then
+  /// describes the equilibrium.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
   std::span<double> columns;       ///< additional values, in the order of StribeckTable::columns
 };
 
-/// A block of consecutive points of a table that is divided into `count` blocks. The default is the
+/// One of `count` blocks of consecutive points into which a table is divided. The default is the
 /// whole table.
 struct TableSlab {
   std::size_t index = 0;  ///< index of the block, from 0
   std::size_t count = 1;
-  /// Number of points before this slab, and number of points in the slab, for a table of `size`
-  /// points.
+  /// Number of points before this slab in a table of `size` points.
   [[nodiscard]] std::size_t first(std::size_t size) const { return part(size, index); }
+  /// Number of points in this slab of a table of `size` points.
   [[nodiscard]] std::size_t points(std::size_t size) const {
     return part(size, index + 1) - first(size);
   }
@@ -62,36 +62,39 @@ struct TableSlab {
 /// temperature.
 struct StribeckTable {
   TableAxes axes;
-  TableSlab slab;                    ///< part of the table; the members below contain its values
-  std::vector<std::string> columns;  ///< names; the caller that writes the table defines the units
-  std::vector<double> friction_moment;       ///< [N m]; NaN if a point has no value
+  TableSlab slab;                       ///< the members below contain the values of this slab
+  std::vector<std::string> columns;     ///< names; the code that fills the table defines the units
+  std::vector<double> friction_moment;  ///< [N m]; NaN if a point has no value
   std::vector<bearing::SolveStatus> status;  ///< status of each point
-  std::vector<double> values;                ///< values of the columns, SI, point by point
+  std::vector<double> values;  ///< values of all `columns` in SI units, point by point
 
-  /// Index of a point from its place on each axis.
+  /// Index of a point in the whole table, from its index on each axis.
   [[nodiscard]] std::size_t index(std::size_t speed, std::size_t axial_load,
                                   std::size_t radial_load, std::size_t temperature) const;
-  /// Number of points in this slab; index of the first of them.
+  /// Number of points in this slab.
   [[nodiscard]] std::size_t points() const { return slab.points(axes.size()); }
+  /// Index of the first point of this slab in the whole table.
   [[nodiscard]] std::size_t first() const { return slab.first(axes.size()); }
-  /// Operating point of an index.
+  /// Operating point of a point by its index in the whole table.
   [[nodiscard]] bearing::OperatingPoint point(std::size_t index) const;
   /// Additional values of a point by its index within the slab, in the order of `columns`.
   [[nodiscard]] std::span<const double> row(std::size_t index) const;
 };
 
-/// Function that fills successive points of a table. Several threads call the function in parallel.
+/// Function that computes the TablePoint for each operating point of a piece of the table. Several
+/// threads call the function in parallel.
 using TableLine =
     std::function<void(std::span<const bearing::OperatingPoint>, std::span<TablePoint>)>;
 
 /// Fills a table, or one slab of it, on all cores.
 ///
-/// Threads get pieces of at most 256 points, cut at the same places for any number of threads. So
-/// the number of threads changes no digit if the result of `line` depends only on its points. If
-/// each result depends only on its point, joined slabs equal the whole table. `progress` is called
-/// with the finished fraction, up to 1, by one thread at a time. An exception from `line` or
-/// `progress` ends the build and reaches the caller. Throws std::invalid_argument like
-/// validate(axes), and for an invalid slab. Memory: the result, and one piece for each thread.
+/// The table is divided into pieces of at most 256 points, independent of the number of threads. If
+/// the results of `line` depend only on the points that it gets, the number of threads changes no
+/// digit. If each result depends only on its own point, joined slabs equal the whole table.
+/// `progress` is called with the finished fraction, up to 1, by one thread at a time. An exception
+/// from `line` or `progress` ends the build and reaches the caller. Throws std::invalid_argument
+/// like validate(axes), and if slab.index >= slab.count. Memory: the result, and one piece for each
+/// thread.
 [[nodiscard]] StribeckTable build_stribeck_table(const TableAxes& axes,
                                                  std::vector<std::string> columns,
                                                  const TableLine& line,
@@ -100,8 +103,8 @@ using TableLine =
 
 /// Treatment of a query outside the table.
 enum class Outside {
-  error,  ///< throws std::invalid_argument with name, value, unit and range
-  clamp,  ///< uses the nearest edge, and sets InterpolatedMoment::clamped
+  error,  ///< throws std::invalid_argument; the message names axis, value and range
+  clamp,  ///< uses the nearest edge of the table, and sets InterpolatedMoment::clamped
 };
 
 /// Query point of a table.
@@ -120,14 +123,15 @@ struct InterpolatedMoment {
 
 /// Friction moment between the points of a table [N m].
 ///
-/// One axis after the other (speed first, temperature last): monotone cubic Hermite (PCHIP) on an
-/// axis of four points or more, linear on two or three, constant on one. An axis with one value
-/// accepts only this value. The result is NaN if it depends on a grid point without a value.
+/// The function interpolates over one axis after the other, speed first and temperature last:
+/// monotone cubic Hermite (PCHIP) on an axis of four points or more, linear on two or three points.
+/// The range of an axis with one point is this point. The moment is NaN if it depends on a grid
+/// point without a value.
 ///
 /// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
-/// Domain:   a whole table, not a slab. The closed range of each axis, with a relative margin of
-///           1e-9 for rounding of units. A position that is not finite is an error for both values
-///           of Outside.
+/// Domain:   the closed range of each axis, with a relative margin of 1e-9 for rounding of units.
+///           The function throws std::invalid_argument for a position that is not finite, for any
+///           `outside`, and for a slab instead of a whole table.
 /// Accuracy: exact at grid points. For equal spacing h the error is of order h³, and of order h²
 ///           near the ends and near an extremum. Along a grid line, the moment is monotone where
 ///           its points are monotone. Between grid lines, the moment is usually monotone, but not

@@ -12,13 +12,13 @@ namespace raceway::friction {
 ///
 ///   M = scale M(n, F_a, F_r, T)
 ///
-/// M(n, F_a, F_r, T) is interpolated by interpolate() in speed, loads and the temperature of the
-/// lubricant.
-/// Domain:   outside the range of an axis, the value at the edge is used, so the power there is
-///           proportional to speed. holds() is false for such a state. An axis that the file does
-///           not have accepts every value.
-/// Accuracy: at the readings, `band` if the file has a band; between the readings, see
-///           interpolate().
+/// interpolate() computes M(n, F_a, F_r, T) from speed, the magnitudes of both loads and the
+/// temperature of the lubricant.
+/// Domain:   outside the range of an axis, the moment at the edge is used, so beyond the highest
+///           speed the power is proportional to speed. holds() is false for such a state. An input
+///           without an axis in the file may have any value.
+/// Accuracy: at the grid points, the half width `band` if the file gives one; between the grid
+///           points, see interpolate().
 struct TorqueTable {
   static constexpr std::array parameters{
       Parameter{.name = "scale", .unit = "1", .initial = 1.0, .lower = 0.01, .upper = 100.0}};
@@ -27,8 +27,8 @@ struct TorqueTable {
   StribeckTable grid{};  ///< friction moment at every point
   /// Half width of the 95 % error band of the moment, on the same grid; empty if not known.
   StribeckTable band{};
-  /// Load-dependent part of the moment, on the same grid, as in tables of `raceway table`. The
-  /// load-dependent part is used to split the heat between the rings. Empty if not known.
+  /// Load-dependent part of the moment, on the same grid, as in tables of `raceway table`. It is
+  /// used to split the heat between the rings; empty if not known.
   StribeckTable load{};
   /// True for axes that the file has. The other axes have one value in the grid.
   bool has_axial_load = true, has_radial_load = true, has_temperature = true;
@@ -36,19 +36,20 @@ struct TorqueTable {
       false;  ///< true: torque of a whole shaft over the load at its nose; cannot be a base law
 
   [[nodiscard]] bool has_band() const { return !band.friction_moment.empty(); }
-  /// Friction moment [N m]; NaN if an input of the state is NaN.
+  /// Friction moment of the table, without the factor `scale` [N m]; NaN if an input is not finite.
   [[nodiscard]] double moment(const BearingState<>& state) const { return value(grid, state); }
-  /// Half width of the band at a state [N m]; NaN without a band.
+  /// Half width of the 95 % error band at a state [N m]; NaN without a band.
   [[nodiscard]] double half_width(const BearingState<>& state) const {
     return has_band() ? value(band, state) : unset;
   }
-  /// Load-dependent part at a state [N m]; 0 if not known.
+  /// Load-dependent part of the moment at a state [N m]; 0 if not known.
   [[nodiscard]] double load_moment(const BearingState<>& state) const {
     return load.friction_moment.empty() ? 0.0 : value(load, state);
   }
-  /// True if the state lies within the ranges of all axes.
+  /// True if the state lies within the ranges of all axes. Throws std::invalid_argument if an input
+  /// is not finite.
   [[nodiscard]] bool holds(const BearingState<>& state) const;
-  /// "500 to 9000 rpm, 100 to 400 N axial, 20 to 70 C": the ranges of the axes in the file.
+  /// Ranges of the axes in the file: "500 to 9000 rpm, 100 to 400 N axial, 20 to 70 C".
   [[nodiscard]] std::string range() const;
 
  private:

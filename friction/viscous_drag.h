@@ -6,8 +6,7 @@
 
 namespace raceway::friction {
 
-/// ν n in the middle of the range of spindles [mm²/s rpm]. Fitted exponents of ν n refer to this
-/// value.
+/// Typical ν n of a spindle bearing [mm²/s rpm]. Fitted exponents of ν n refer to this value.
 inline constexpr double medium_nu_n = 300000.0;
 
 /// Friction moment of a bearing that rotates in its lubricant without load [N m].

@@ -16,12 +16,12 @@ struct LoadFactors {
 ///   from 20 deg     function of the contact angle only
 ///   between         linear, interpolated in the load first; 0 to 5 deg: deep groove values
 ///
-/// Catalogues use f0 F_a/C0 as the first column. Because C0 = f0 Z D² cos α, this value equals
-/// F_a/(Z D² cos α), so f0 is not needed.
+/// In catalogues, the first column of this table is f0 F_a/C0. Because C0 = f0 Z D² cos α, this
+/// ratio equals F_a/(Z D² cos α), so f0 is not needed.
 /// Source:   [ISO281, table 3], not checked against the print. All rows come from a transcript. In
 ///           every row, X + Y e = 1 within 1 % (tested), because P is continuous at e.
-/// Domain:   α0 from 0 to 45 deg, magnitude of F_a. NaN outside.
-/// Accuracy: as accurate as the published table. Under preload or at speed, reference_life.h is
+/// Domain:   α0 from 0 to 45 deg, NaN above. The function uses the magnitude of F_a.
+/// Accuracy: as accurate as the published table. Under preload or at speed, reference_life() is
 ///           more accurate.
 [[nodiscard]] LoadFactors load_factors(const bearing::BearingGeometry& geometry, double axial_load);
 

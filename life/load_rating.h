@@ -11,9 +11,9 @@ namespace raceway::life {
 ///
 /// Source:   [ISO281, table 2], from two transcripts that agree, not checked against the print.
 /// Domain:   γ from 0.01 to 0.40; NaN outside.
-/// Trap:     the factor is valid for grooves with f_i <= 0.52, f_o <= 0.53. Closer grooves do not
-///           raise the rating. Wider grooves lower the true rating; for them the standard refers to
-///           ISO/TR 1281-1.
+/// Trap:     the factor is valid for grooves with f_i <= 0.52, f_o <= 0.53. Grooves with smaller f
+///           do not raise the rating. Grooves with larger f lower the true rating; for these, the
+///           standard refers to ISO/TR 1281-1.
 [[nodiscard]] double rating_factor(double gamma);
 
 /// Dynamic radial load rating of one row of balls [N]: 90 % of bearings survive a million
@@ -26,7 +26,8 @@ namespace raceway::life {
 /// angle.
 /// Source:   [ISO281, eqs. 1, 2, and table 1 for the factor 1.3], from transcripts, not checked
 ///           against the print.
-/// Domain:   α from 0 to 45 deg (a radial bearing) and γ of rating_factor(); NaN outside.
+/// Domain:   α from 0 to 45 deg (a radial bearing), and γ in the range of rating_factor(); NaN
+///           outside.
 /// Accuracy: the code agrees with the formula to rounding error. Catalogues of bearings of good
 ///           steel have up to 15 % higher ratings.
 [[nodiscard]] double dynamic_load_rating(const bearing::BearingGeometry& geometry);

@@ -15,7 +15,7 @@ namespace raceway::life {
 /// Domain:   speed > 0; infinite at standstill.
 [[nodiscard]] double rated_viscosity(double speed, double pitch_diameter);
 
-/// κ = ν/ν1 [1].
+/// Viscosity ratio κ = ν/ν1 [1], with ν1 from rated_viscosity().
 [[nodiscard]] double viscosity_ratio(double kinematic_viscosity, double speed,
                                      double pitch_diameter);
 
@@ -29,10 +29,10 @@ namespace raceway::life {
 /// `fatigue_ratio` = e_C C_u/P: cleanliness e_C from 0 to 1, times the ratio of fatigue load to
 /// equivalent load.
 /// Source:   [ISO281, eqs. 31 to 33], as quoted in two texts, not checked against the print. One
-///           public program has p = 0.019087 in the second range. This is a misprint, because the
-///           curve would not be continuous with it.
-/// Domain:   κ >= 0.1, NaN below; fatigue_ratio >= 0. Only for steel. The factor is undefined for
-///           hybrid bearings, although makers use the same factor for them.
+///           public program has p = 0.019087 in the second range. This is a misprint, because a_ISO
+///           would not be continuous with this p.
+/// Domain:   κ >= 0.1, fatigue_ratio >= 0; NaN below. The formula is for steel only. The factor is
+///           undefined for hybrid bearings, although makers use the same factor for them.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
 
 /// Life modification factor of radial roller bearings [1].
@@ -44,7 +44,8 @@ namespace raceway::life {
 ///           life_modification().
 [[nodiscard]] double roller_life_modification(double viscosity_ratio, double fatigue_ratio);
 
-/// Life factor a1 for a reliability [%], relative to 90 % [1]. Linear between the table values.
+/// Life factor a1 for a reliability in percent, relative to 90 % [1]. a1 is linear between the
+/// values of the table.
 ///
 /// Source:   [ISO281:2007, table 12], from memory; no print or transcript was found for a check.
 /// Domain:   90 to 99.95 %; NaN outside.

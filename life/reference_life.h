@@ -13,7 +13,8 @@ namespace raceway::life {
 /// Source:   [ISO16281, eqs. 1, 2], as two other programs implement them, not checked against the
 ///           print. The exponent of cos α is 1 here; one of the programs has 0.7, which matters
 ///           only if α is not 0.
-/// Domain:   nominal α from 0 to 45 deg; C from dynamic_load_rating() or from a catalogue [N].
+/// Domain:   nominal α from 0 to 45 deg, NaN above; C from dynamic_load_rating() or from a
+///           catalogue [N].
 struct RaceRatings {
   double inner = unset, outer = unset;
 };
@@ -27,15 +28,16 @@ struct RaceRatings {
 ///
 /// Source:   [ISO16281, eqs. 5 to 9]. The lives agree within 3e-4 with all lives that a commercial
 ///           program prints for a deep-groove bearing.
-/// Domain:   the inner ring rotates. NaN if a load is NaN; infinite without load. At speed, the
-///           life uses the loads of each race; the standard does not cover the effect of speed on
-///           the loads.
+/// Domain:   the inner ring rotates. The life is NaN if a load is NaN, and infinite without load.
+///           At speed, inner and outer ball loads differ, and each race uses its own loads; the
+///           standard does not cover this effect of speed.
 /// Accuracy: the code agrees with the formula to rounding error. For hybrid bearings, the formula
 ///           for steel is used with the ball loads of the hybrid bearing, as makers do. ISO 281 has
 ///           no formula for hybrid bearings.
 [[nodiscard]] double reference_life(const RaceRatings& ratings, const bearing::Balls& balls);
 
-/// Reference life from the equivalent loads Q_ei and Q_ee [N].
+/// Reference rating life from the equivalent loads Q_ei and Q_ee [N], in millions of revolutions
+/// [1].
 [[nodiscard]] double reference_life(const RaceRatings& ratings, double inner_mean,
                                     double outer_mean);
 

@@ -4,22 +4,23 @@
 
 namespace raceway::life {
 
-/// f_c of radial roller bearings [1].
+/// Factor f_c of the dynamic rating of radial roller bearings [1].
 ///
 ///   f_c = 207.9 · 0.83 γ^(2/9) (1-γ)^(29/27)/(1+γ)^(1/4) (1 + (1.04 r)^4.5)^(-2/9)
 ///   r = ((1-γ)/(1+γ))^(143/108),   γ = D/d_m
 ///
-/// Source: [ISO281], from memory. Agrees with six values of the published table to 0.1 %.
+/// Source: [ISO281], from memory. The formula agrees with six values of the published table to 0.1
+///         %.
 [[nodiscard]] double roller_rating_factor(double diameter_ratio);
 
-/// Dynamic load rating C = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27) [N; mm]. Source: [ISO281], from
-/// memory.
+/// Dynamic load rating C = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27) [N], with L and D in mm. Source:
+/// [ISO281], from memory.
 /// Accuracy: the code agrees with the formula to rounding error. Makers define the effective length
 ///           differently, so the load rating C of makers differs.
 [[nodiscard]] double dynamic_load_rating(const bearing::RollerGeometry& geometry);
 
-/// Static load rating C0 of the geometry if it is given, else 44 (1 - γ) Z L D [N; mm]. Source:
-/// [ISO76], from memory.
+/// Static load rating C0 of the geometry if it is given, else 44 (1 - γ) Z L D [N], with L and D in
+/// mm. Source: [ISO76], from memory.
 [[nodiscard]] double static_load_rating(const bearing::RollerGeometry& geometry);
 
 /// Fatigue load limit C_u = C0/8.2 [N]; above d_m = 100 mm, multiplied by (100 mm/d_m)^0.3. Source:
@@ -50,14 +51,14 @@ struct RollerRatings {
 ///
 ///   L10r = (Σ (q_i/q_ci)^4.5 + (q_e/q_ce)^4.5)^(-8/9),   q_c = Q_c ns^(-7/9)
 ///
-/// q_i is the mean over the rollers with exponent 4, because the inner ring rotates; q_e is the
-/// mean with exponent 4.5. If `edges` is true, the loads of each slice are multiplied by its
-/// edge_factor().
+/// q_i is the mean slice load over the rollers with exponent 4, because the inner ring rotates; q_e
+/// is the mean slice load with exponent 4.5. If `edges` is true, the loads of each slice are
+/// multiplied by its edge_factor().
 /// Source:   [ISO16281].
-/// Domain:   converged equilibrium, else NaN; infinite without load.
-/// Trap:     without a profile, the life depends on the number of slices because of the edges. L10r
-///           differs from (C/F_r)^(10/3): with the ISO profile and C/F_r = 20.7, L10r is 3.3 times
-///           longer.
+/// Domain:   the life is NaN without a converged equilibrium, and infinite without load.
+/// Trap:     without a roller profile, the edge stress makes the life depend on the number of
+///           slices. L10r differs from (C/F_r)^(10/3): with the ISO profile and C/F_r = 20.7, L10r
+///           is 3.3 times longer.
 [[nodiscard]] double reference_life(const RollerRatings& ratings,
                                     const bearing::RollerEquilibrium& equilibrium,
                                     bool edges = true);

@@ -8,11 +8,12 @@
 
 namespace raceway::loop {
 
-/// Contents of a record, and the parts of a model that the record can test.
+/// Result of check(): contents of a record, and the effects and parameters that the record can
+/// test.
 struct Check {
   struct Column {
     const record::Channel* channel = nullptr;
-    double lower = unset, upper = unset;  ///< SI
+    double lower = unset, upper = unset;  ///< range of the values [SI]
     int levels = 0;  ///< number of different values, after rounding to 0.001 of the unit
   };
   struct MeasuredChannel {
@@ -20,30 +21,29 @@ struct Check {
     int rows = 0;  ///< number of rows with a reading
     fit::Noise noise{};
     double found_noise =
-        unset;  ///< rms noise that calibrate() and diagnose() use [SI]; NaN: unknown
+        unset;  ///< RMS noise that calibrate() and diagnose() use [SI]; NaN: unknown
   };
   struct Testable {
     std::string id;
     std::string ruled_out;  ///< reason why the effect cannot act here; empty if it can
     std::string missing;    ///< input that the record or the model lacks; empty if testable
-    std::string levels;     ///< missing levels, see Judged::lacks_levels(); empty if none
+    std::string levels;     ///< levels of inputs that the record lacks; empty if none
   };
   int rows = 0, runs = 0;
-  /// Channels that the model predicts, then the other measured channels.
+  /// Measured channels of the record: first the channels that the model predicts, then the others.
   std::vector<MeasuredChannel> measured;
   std::vector<Column> columns;
   std::vector<record::Parameter> free;  ///< all free parameters, even if not identifiable
   std::string problem;  ///< reason why the free parameters cannot be fitted; empty if they can
-  /// Names of settings that are constant within each run and different in every run. A new setup of
-  /// the rig for each run could have the same effect on the readings. The text is empty if there
-  /// are no such settings.
+  /// Names of settings that are constant within each run and different in every run; empty if there
+  /// are none. A new setup of the rig for each run could have the same effect on the readings.
   std::string runs_coincide_with;
   /// One entry for each effect, in the order of Subject::catalogue().
   std::vector<Testable> catalogue;
 };
 
-/// Checks a record. `judged` is the record for calibrate() and diagnose(), in which means of dwells
-/// replace rows. If `judged` is null, these functions use `record`.
+/// Checks which effects and parameters a record can test. `judged` is the record for calibrate()
+/// and diagnose(), in which means of dwells replace rows. If `judged` is null, `record` is used.
 [[nodiscard]] Check check(const fit::Subject& subject, const record::Record& record,
                           const record::Record* judged = nullptr);
 

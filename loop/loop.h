@@ -9,30 +9,33 @@
 #include "verdict/compare.h"
 #include "verdict/diagnose.h"
 
-/// Runs calibrate, diagnose and add for both kinds of models. The misfit of most models is judged
-/// against the noise of the readings (verdict/). A model that only approximates
-/// (Subject::approximates()) is judged against the tolerance of the user (tolerance/).
+/// Runs calibrate, diagnose and add for both kinds of models. For most models, the misfit is
+/// compared with the noise of the readings (verdict/). For a model that only approximates the
+/// readings (Subject::approximates()), the held-out error is compared with the tolerance of the
+/// user (tolerance/).
 namespace raceway::loop {
 
 using verdict::compare;
 
-/// Calls verdict::calibrate_by_noise() or tolerance::calibrate_approximation().
+/// Fits the free parameters by verdict::calibrate_by_noise(), or by
+/// tolerance::calibrate_approximation() for a model that only approximates.
 ///
-/// Throws std::invalid_argument like these functions. The function also throws
-/// std::invalid_argument if profile-likelihood intervals are requested for a model that only
-/// approximates, because the residuals of such a model are autocorrelated.
+/// Throws std::invalid_argument like these functions, and if profile-likelihood intervals are
+/// requested for a model that only approximates, because its residuals are correlated in time.
 [[nodiscard]] verdict::Calibration calibrate(const fit::Subject& subject,
                                              const record::Record& record,
                                              const verdict::CalibrateOptions& options = {});
 
-/// Calls verdict::diagnose_by_noise() or tolerance::diagnose_approximation().
+/// Finds the missing effect by verdict::diagnose_by_noise(), or by
+/// tolerance::diagnose_approximation() for a model that only approximates.
 ///
 /// Throws std::invalid_argument like these functions, and if options.tried_before is not between 0
 /// and a million.
 [[nodiscard]] verdict::Diagnosis diagnose(const fit::Subject& subject, const record::Record& record,
                                           const verdict::DiagnoseOptions& options = {});
 
-/// Calls verdict::add_by_noise() or tolerance::add_approximation().
+/// Adds effects and fits again by verdict::add_by_noise(), or by tolerance::add_approximation() for
+/// a model that only approximates.
 [[nodiscard]] verdict::AddResult add(const fit::Subject& subject, std::span<const std::string> ids,
                                      const record::Record& record);
 

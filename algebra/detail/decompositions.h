@@ -7,14 +7,14 @@
 ///
 /// Eigen's decompositions are templates that take many seconds to compile. This folder compiles
 /// them once, for matrices of double, and other files call functions. Each function returns exactly
-/// the result of Eigen's class for its method. Files that decompose sparse matrices or matrices of
-/// a fixed size use Eigen directly.
+/// the result of Eigen's class for its method. Most functions return NaN if an entry of A is not
+/// finite.
 namespace raceway::algebra {
 
 /// Solution x of min |b - A x|, by QR with column pivoting. A: m × n, b: m, x: n.
 ///
-/// Entries of x are 0 for columns that depend on the others to rounding. PivotedQr gives the rank
-/// and solves for several b.
+/// Entries of x are 0 for columns that are linear combinations of the other columns, to rounding.
+/// PivotedQr gives the rank and solves for several b.
 [[nodiscard]] Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 /// Solution x of min |b - A x| with the least |x|, by a complete orthogonal decomposition.
@@ -70,7 +70,7 @@ struct ThinSvd {
 /// Singular values and vectors of A: m × n.
 [[nodiscard]] ThinSvd thin_svd(const Eigen::MatrixXd& A);
 
-/// Part of a ThinSvd that a covariance of parameters needs.
+/// Singular values and right singular vectors, for the covariance of parameters.
 struct RightSvd {
   Eigen::VectorXd values;  ///< k = min(m, n), descending
   Eigen::MatrixXd V;       ///< n × k
@@ -84,13 +84,13 @@ struct RightSvd {
 /// Householder vectors, not zeros.
 void reduce_to_triangle(Eigen::MatrixXd& A);
 
-/// Decomposition A P = Q R of A: m × n. P orders the columns so that each next column adds most to
-/// the previous ones.
+/// Decomposition A P = Q R of A: m × n. P orders the columns: each next column has the largest part
+/// that the previous columns do not span.
 class PivotedQr {
  public:
   explicit PivotedQr(const Eigen::MatrixXd& A);
   /// The rank is the number of pivots |R_kk| above `threshold` times the largest pivot [1]. Without
-  /// a threshold, it is the number of pivots above rounding.
+  /// `threshold`, the rank is the number of pivots above rounding.
   PivotedQr(const Eigen::MatrixXd& A, double threshold);
 
   [[nodiscard]] Eigen::Index rank() const;
@@ -118,7 +118,7 @@ class HouseholderQr {
   [[nodiscard]] Eigen::MatrixXd Q() const;
   /// R⁻¹: n × n, upper triangular.
   [[nodiscard]] Eigen::MatrixXd inverse_R() const;
-  /// ln det(AᵀA).
+  /// Returns ln det(AᵀA).
   [[nodiscard]] double log_determinant() const;
 
  private:
@@ -145,7 +145,7 @@ class LowerRoot {
 
   /// L⁻¹ b.
   [[nodiscard]] Eigen::VectorXd solve_root(const Eigen::VectorXd& b) const;
-  /// ln det A. Meaningless if A is not positive definite.
+  /// Returns ln det A. The result is meaningless if A is not positive definite.
   [[nodiscard]] double log_determinant() const;
 
  private:

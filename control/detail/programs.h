@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// Program templates of a plan, from program.*.in; see text.h.
+/// Templates of the exported programs, from program.*.in; filled() fills them.
 namespace raceway::control {
 
 extern const std::string_view python_program, c_program, python_main, linuxcnc_main;

@@ -6,7 +6,7 @@
 
 #include "control/plan.h"
 
-/// Names of the numbers of a plan in the table of coefficients; shared by writer and reader.
+/// Names of the numbers of a ControlPlan in a table of coefficients, for its writer and its reader.
 namespace raceway::control {
 
 template <typename Part>
@@ -23,7 +23,7 @@ template <typename Part>
 struct TextField {
   std::string_view name;
   std::string Part::*text;
-  std::string_view allowed{};  ///< allowed words between blanks; empty: any text
+  std::string_view allowed{};  ///< allowed words, separated by blanks; empty: any text
 };
 
 inline constexpr std::string_view table_mark = "# raceway coefficient table 1";

@@ -10,21 +10,22 @@
 
 namespace raceway::friction::contact {
 
-/// Balls of one bearing during the alternating solution for forces and rotations.
+/// Balls of one bearing while a solver alternates between ball forces and ball rotations.
 class TurningBalls {
  public:
   TurningBalls(const bearing::Bearing& bearing, double speed, const OilState& oil,
                const ContactLaw& law)
       : attitudes_of_(bearing, speed, oil, law), bearing_(&bearing), speed_(speed) {}
 
-  /// Computes the rotation of the distinct balls under these forces, starting from the last
-  /// attitudes. Returns false if a ball has no attitude; `status()` gives the reason. `ball_scale`
-  /// is a typical load on a ball [N].
+  /// Computes the rotation of the distinct balls under the forces in `balls`, starting from the
+  /// result of the previous call. Returns false if the solver finds no rotation for a ball;
+  /// `status()` then gives the reason. `ball_scale` is a typical load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
-  /// True if the forces and the film speeds changed in the last turn() by at most their tolerances.
+  /// True if the last turn() changed the forces on the balls and the cage speeds by at most the
+  /// solver tolerances. At standstill, only the cage speeds are checked.
   [[nodiscard]] bool settled() const;
-  /// Largest change of the forces on a ball in the last turn(), relative to its load plus
-  /// `ball_scale` [1].
+  /// Largest change of a force on a ball in the last turn(), divided by the outer contact load of
+  /// the ball plus `ball_scale` [1].
   [[nodiscard]] double change() const { return change_; }
   [[nodiscard]] bearing::SolveStatus status() const { return status_; }
   [[nodiscard]] const std::vector<bearing::GivenRotation>& rotations() const { return rotations_; }
@@ -39,58 +40,59 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// Share of the step towards the new rotations. The share is reduced if forces and rotations
-  /// oscillate.
+  /// Used share of the step to the new rotations [1], reduced if forces and rotations oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };
 
-/// Equilibrium of a bearing whose balls rotate in equilibrium with contact traction, without race
-/// control. Only `report` is set unless the solve converged.
+/// Equilibrium of a bearing in which contact traction, not race control, determines the rotation of
+/// the balls. If the solver does not converge, only `report` and `equilibrium.report` are valid.
 struct BalancedEquilibrium {
-  /// Equilibrium, with `rotations`. The report of the equilibrium has the number of Newton steps of
-  /// all passes and the force residual.
+  /// Equilibrium of the bearing, including the ball rotations. `equilibrium.report` contains the
+  /// number of Newton steps of all passes and the force residual.
   bearing::BearingEquilibrium equilibrium;
-  std::vector<BallAttitude> attitudes;  ///< attitudes of equilibrium.balls.distinct()
-  /// Status of the complete solution. Iterations are passes over forces and attitudes. The residual
-  /// is the largest change of the forces on a ball in the last pass, relative to its load [1].
+  std::vector<BallAttitude> attitudes;  ///< rotation of each ball in equilibrium.balls.distinct()
+  /// Status of the complete solution. `iterations` is the number of passes over ball forces and
+  /// ball rotations. `residual` is the largest change of a force on a ball in the last pass,
+  /// relative to the ball load [1].
   bearing::SolveReport report;
 };
 
-/// Finds the displacement of the inner ring in equilibrium with the load, together with the
-/// rotation of each ball (BallAttitudes). The orbital speed and the friction forces T_i, T_o of the
-/// attitudes act on the balls.
+/// Finds the displacement of the inner ring at which the bearing balances the load, and the
+/// rotation of each ball (BallAttitudes). The centrifugal force at the computed orbital speed and
+/// the friction forces T_i, T_o at both contacts act on each ball.
 ///
 /// The solver alternates between forces for given rotations and rotations for given forces. The
-/// solver starts from outer control or the rotations of a neighbour. The coupling of forces and
-/// rotations is usually weak; if the coupling is strong, the solver shortens its steps. With nearly
-/// unloaded balls at very high speed the solver may not converge (fewer than 1 in 100 extreme
-/// cases, tested). The report contains this status.
+/// solver starts from outer control or from the rotations in `neighbour`, the solution of a similar
+/// operating point. If forces and rotations depend strongly on each other, the solver shortens its
+/// steps. With nearly unloaded balls at very high speed, the solver may not converge (in tests,
+/// fewer than 1 in 100 extreme cases). `report` then gives the reason.
 ///
-/// Domain:   as for solve_bearing_equilibrium(). At standstill the attitudes do not affect the
-///           forces. `options.race_control` and `options.rotations` are ignored.
-/// Accuracy: the forces of each ball to 1e-8. The physical accuracy is limited by traction at small
-///           slip: contact angles are accurate to 0.1 degrees in a full film, where traction is
-///           small. In mixed lubrication the pitch angle depends on the share of the load that
-///           asperities carry.
+/// Domain:   as for solve_bearing_equilibrium(). At standstill, the ball rotations do not affect
+///           the forces. The function ignores `options.race_control` and `options.rotations`.
+/// Accuracy: the forces on each ball are accurate to 1e-8 of its load. The traction law at small
+///           slip limits the physical accuracy. In a full film, where traction is small, contact
+///           angles are accurate to 0.1 degrees. In mixed lubrication, the pitch angle of the ball
+///           rotation depends on the share of the load that asperities carry.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
     const bearing::Bearing& bearing, const bearing::OperatingPoint& point, const OilState& oil,
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Solves an arrangement. `oils` has one entry for each bearing, or one for all. The report is for
-/// the whole arrangement, with the number of Newton iterations. Throws std::invalid_argument like
-/// solve_arrangement(), and if the number of oils is wrong.
+/// Finds the equilibrium of an arrangement without race control. `oils` contains one entry for each
+/// bearing, or one entry for all bearings. The report describes the whole arrangement and counts
+/// the Newton iterations of all passes. Throws std::invalid_argument like solve_arrangement(), and
+/// if the number of oils is wrong.
 [[nodiscard]] bearing::ArrangementEquilibrium solve_balanced_arrangement(
     const bearing::Arrangement& arrangement, const bearing::ArrangementCondition& condition,
     std::span<const OilState> oils, const ContactLaw& law,
     const bearing::EquilibriumOptions& options = {},
     const bearing::ArrangementEquilibrium* neighbour = nullptr);
 
-/// Friction of a bearing in equilibrium, for balls whose rotation follows from traction. Use
-/// bearing_friction() for race control. The attitudes are computed with this oil and law under the
-/// equilibrium forces, even if the oil had another temperature in the equilibrium. NaN without a
-/// converged equilibrium, or if a ball has no attitude.
+/// Returns the friction of a bearing in which traction determines the rotation of the balls. Use
+/// bearing_friction() for race control. The function computes the rotations with `oil` and `law`
+/// under the ball loads of `equilibrium`. The moments are NaN if the equilibrium did not converge
+/// or if no rotation is found for a ball.
 template <typename Look>
 [[nodiscard]] BearingFriction balanced_friction(const bearing::Bearing& bearing,
                                                 const bearing::BearingEquilibrium& equilibrium,

@@ -10,22 +10,24 @@
 
 namespace raceway::friction::contact {
 
-/// Inputs of the contact law in addition to bearing, viscosities and its own parameters.
+/// Inputs of the contact law in addition to the bearing, the viscosities and the fitted parameters.
 struct ContactData {
   OilData oil;
-  double eyring_stress = default_eyring_stress;  ///< τ0 [Pa]
-  /// Limiting traction Γ of the film, from the key `limiting_traction` in [lubricant] [1]. The key
-  /// is read with every friction law. If Γ is NaN, the value of the oil type is used.
+  double eyring_stress = default_eyring_stress;  ///< Eyring stress τ0 of the oil [Pa]
+  /// Limiting traction coefficient Γ of the film, from the key `limiting_traction` in [lubricant]
+  /// [1]. Files with any friction law may contain this key. If Γ is NaN, the default of the oil
+  /// type is used.
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;
-  double inlet_over_b = unset;          ///< m of starvation_factors() [1]; unset: flooded film
-  double race_roughness = 0.045 * um;   ///< Rq [m]
-  double ball_roughness = 0.0218 * um;  ///< Rq [m]; composite roughness 0.05 um
+  double inlet_over_b = unset;          ///< m of starvation_factors() [1]; NaN: the film is flooded
+  double race_roughness = 0.045 * um;   ///< roughness Rq of the race [m]
+  double ball_roughness = 0.0218 * um;  ///< Rq of the ball [m]; with the race: 0.05 um
   AsperityLaw asperities;
 };
 
-/// Returns the inlet condition. `bath` floods the inlets. With any other or an unknown supply, a
-/// contact gets only the oil that the preceding ball leaves.
+/// Returns the inlet condition for a lubricant supply. `bath` floods the inlets. With any other or
+/// an unknown supply, the inlets are limited: a contact gets only the oil that the preceding ball
+/// leaves.
 [[nodiscard]] constexpr Inlet inlet_of(std::optional<Supply> supply) {
   return supply == Supply::bath ? Inlet::flooded : Inlet::limited;
 }

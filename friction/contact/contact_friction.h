@@ -14,49 +14,50 @@
 
 namespace raceway::friction::contact {
 
-/// Parameters of the law in addition to bearing and oil. The parameters have the same limits as in
-/// model files.
+/// Parameters of the contact law in addition to the bearing and the oil. The same limits apply as
+/// in model files.
 struct ContactLaw {
   Inlet supply = Inlet::limited;
-  double replenishment = 0.0;              ///< K_rs of replenishment_factor() [1], 0 is off
-  double inlet_over_b = unset;             ///< m of starvation_factors() [1]; unset: flooded film
-  double boundary_friction = 0.10;         ///< μ where asperities touch [1]
-  double limiting_traction = 0.06;         ///< Γ of the film [1]
-  double eyring_stress = 5.0 * MPa;        ///< τ0 [Pa]
-  double composite_roughness = 0.05 * um;  ///< Rq of race and ball together [m]
+  double replenishment = 0.0;        ///< K_rs of replenishment_factor() [1]; 0: no starvation
+  double inlet_over_b = unset;       ///< m of starvation_factors() [1]; NaN: the film is flooded
+  double boundary_friction = 0.10;   ///< friction coefficient μ of asperities [1]
+  double limiting_traction = 0.06;   ///< limiting traction coefficient Γ of the film [1]
+  double eyring_stress = 5.0 * MPa;  ///< Eyring stress τ0 of the oil [Pa]
+  double composite_roughness = 0.05 * um;  ///< composite roughness Rq of race and ball [m]
   AsperityLaw asperities;
-  double rolling_factor = 1.0;     ///< multiplies the rolling resistance of the oil [1]
-  double hysteresis_factor = 1.0;  ///< multiplies the hysteresis [1]
+  double rolling_factor = 1.0;     ///< factor on the rolling resistance of the oil [1]
+  double hysteresis_factor = 1.0;  ///< factor on the hysteresis loss [1]
 };
 
 /// Film, slip and losses of one loaded contact.
 struct ContactFriction {
-  Film film;                                              ///< [m]
-  double film_ratio = 0.0;                                ///< Λ [1]
-  double asperity_share = 1.0;                            ///< φ [1]
-  double peak_pressure = 0.0;                             ///< [Pa]
-  double semi_major_axis = 0.0, semi_minor_axis = 0.0;    ///< a, b [m]
-  double spin = 0.0;                                      ///< ω_s [rad/s]
-  double rolling_speed = 0.0;                             ///< ω_roll, ball against race [rad/s]
-  double mean_slip = 0.0;                                 ///< Σ p |v|/Q [m/s]
-  double mean_friction = 0.0;                             ///< Σ |τ|/Q [1]
-  double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< power [W]
+  Film film;                                            ///< film thickness [m]
+  double film_ratio = 0.0;                              ///< film ratio Λ [1]
+  double asperity_share = 1.0;                          ///< share φ of the load on asperities [1]
+  double peak_pressure = 0.0;                           ///< [Pa]
+  double semi_major_axis = 0.0, semi_minor_axis = 0.0;  ///< half axes a, b [m]
+  double spin = 0.0;                                    ///< spin ω_s [rad/s]
+  double rolling_speed = 0.0;                           ///< ω_roll, ball against race [rad/s]
+  double mean_slip = 0.0;                               ///< mean sliding speed Σ p |v|/Q [m/s]
+  double mean_friction = 0.0;                           ///< mean friction coefficient Σ |τ|/Q [1]
+  double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< power losses [W]
   bool converged = true;  ///< true if the sliding solution converged
   [[nodiscard]] double power() const { return sliding + rolling + hysteresis; }
 };
 
-/// Data common to all contacts of one race at one state of its oil, computed once.
+/// Shape, oil and law that all contacts of one race have in common.
 struct RaceFriction {
   ContactShape shape;
   OilState oil;
   ContactLaw law;
   double ball_diameter;  ///< D [m]
-  double supply_factor;  ///< φ_rs [1]
+  double supply_factor;  ///< replenishment factor φ_rs [1]
 
-  /// Friction of one contact of load Q > 0. The film uses the speed of `motion` times `film_speed`.
-  /// At standstill `film_speed` is 0. Power divided by shaft speed is then the limit for slow
-  /// rotation: φ = 1, no rolling resistance. At contact angles above a right angle the ball rolls
-  /// in the opposite direction, with equal resistance. `centre` is described at film_traction().
+  /// Returns the friction of one contact with the load Q > 0 [N]. The film is computed at the
+  /// surface speed of `motion` times `film_speed`. `film_speed` = 0 means standstill: asperities
+  /// carry the whole load, there is no rolling resistance, and power divided by shaft speed is the
+  /// limit for slow rotation. At contact angles above a right angle, the ball rolls in the opposite
+  /// direction, with equal resistance. `centre` is described at film_traction().
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
@@ -69,7 +70,8 @@ struct RaceFriction {
     return contact(load, motion, film_speed, centre);
   }
 
-  /// Returns the friction of a contact from the result of film() and from its sliding.
+  /// Returns the friction of a contact from `c`, the result of film(), and from the traction of its
+  /// sliding.
   [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
                                         double film_speed, const Traction& traction) const {
     c.sliding = traction.power;
@@ -91,7 +93,7 @@ struct RaceFriction {
     return c;
   }
 
-  /// Returns ellipse, film and asperity share only.
+  /// Returns all values of a contact except slip, friction and losses.
   [[nodiscard]] ContactFriction film(double load, const ContactMotion& motion,
                                      double film_speed) const {
     ContactFriction c;
@@ -149,25 +151,27 @@ struct RaceFriction {
   }
 };
 
-/// Friction of a bearing, summed over its contacts. Powers are per unit of shaft speed.
+/// Friction of a bearing, summed over its contacts. Losses are moments on the shaft: power divided
+/// by shaft speed.
 struct BearingFriction {
   struct Parts {
     double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< [N m]
     [[nodiscard]] double sum() const { return sliding + rolling + hysteresis; }
   };
-  Parts inner, outer;  ///< moments on the shaft, by the race at which the power is lost [N m]
+  Parts inner, outer;                  ///< losses at the inner and outer race [N m]
   double smallest_film = unset;        ///< thinnest film of all contacts, h_min [m]
-  double smallest_film_ratio = unset;  ///< [1]
+  double smallest_film_ratio = unset;  ///< smallest film ratio Λ of all contacts [1]
   bool converged = false;
   [[nodiscard]] double moment() const { return inner.sum() + outer.sum(); }  ///< [N m]
 
-  /// Returns the friction of a bearing without equilibrium: NaN.
+  /// Returns the result for a bearing without equilibrium: all moments are NaN.
   [[nodiscard]] static BearingFriction none() {
     BearingFriction f;
     f.inner = f.outer = {unset, unset, unset};
     return f;
   }
-  /// Adds the friction of `contacts` equal contacts to the `parts` of their race.
+  /// Adds the friction of `contacts` equal contacts to `parts`, the sums of their race. `speed` is
+  /// the shaft speed [rad/s].
   void add(const ContactFriction& c, double contacts, double speed, Parts& parts) {
     const double share = contacts / speed;
     parts.sliding += share * c.sliding;
@@ -179,7 +183,8 @@ struct BearingFriction {
   }
 };
 
-/// Returns the data of the contacts of one race at one state of the oil and one speed [rad/s].
+/// Returns the shape, oil and law for the contacts of one race. The replenishment factor is
+/// computed at the shaft speed `speed` [rad/s].
 [[nodiscard]] inline RaceFriction race_friction(const bearing::Bearing& bearing, bearing::Race race,
                                                 const OilState& oil, const ContactLaw& law,
                                                 double speed) {
@@ -195,8 +200,8 @@ struct BearingFriction {
                                : 1.0};
 }
 
-/// Returns the speeds of one ball in equilibrium. A ball without contact at the inner race is under
-/// outer control.
+/// Returns the surface, rolling and spin speeds at both contacts of one ball in equilibrium. A ball
+/// without contact at the inner race is under outer control.
 [[nodiscard]] inline BallMotion ball_motion(const bearing::BearingGeometry& g,
                                             const bearing::BallEquilibrium& ball,
                                             bearing::RaceControl control, double speed) {
@@ -210,14 +215,16 @@ struct BearingFriction {
   return ball_motion(g, r, inner, ball.outer_contact_angle, speed);
 }
 
-/// Both contacts of a ball. The inner contact has no meaning if the ball has lost the inner race.
+/// Friction at both contacts of a ball. `inner` has no meaning if the ball does not touch the inner
+/// race.
 struct ContactsOfBall {
   ContactFriction inner, outer;
 };
 
-/// Sums the friction of all loaded contacts of a bearing in equilibrium at this speed. `contacts(k,
-/// ball)` gives the contacts of distinct ball k; `look(k, race, ContactFriction, weight)` is called
-/// for each of them.
+/// Sums the friction of all loaded contacts of a bearing at the shaft speed `turning` [rad/s].
+/// `contacts(k, ball)` returns the friction at both contacts of distinct ball k. The function calls
+/// `look(k, race, friction, weight)` for each loaded contact; `weight` is the number of balls equal
+/// to ball k.
 template <typename Contacts, typename Look>
 [[nodiscard]] BearingFriction sum_over_contacts(const bearing::BearingEquilibrium& equilibrium,
                                                 double turning, Contacts&& contacts, Look&& look) {
@@ -243,16 +250,17 @@ template <typename Contacts, typename Look>
 ///
 ///   M = Σ (sliding + rolling + hysteresis)/ω       over the balls, at both races
 ///
-/// Each power belongs to the contact in which it arises, so the moments of a race give the heat of
-/// its ring. The function assumes race control without gyroscopic creep; see balanced_equilibrium.h
-/// for balls without race control.
-/// Source:   the laws of this folder; the sum of powers is derived.
-/// Domain:   speed >= 0; at standstill the result is the limit for slow rotation. Without a
-///           converged equilibrium the result is NaN.
-/// Accuracy: the code agrees with the laws to rounding error, sliding to 0.1 %. The friction level
-///           of a bearing at speed is uncertain by +-40 %, because of the oil supply of the inlets
-///           (flooded: +32 to +55 %) and their heating. The ratio of two bearings is much more
-///           accurate. `look` is described at sum_over_contacts().
+/// Each power is assigned to the contact in which it is lost, so the moments of a race give the
+/// heat of its ring. The function assumes race control without gyroscopic creep; use
+/// balanced_friction() for balls without race control.
+/// Source:   the laws in friction/contact; the sum of powers is derived.
+/// Domain:   speed >= 0; at standstill, the result is the limit for slow rotation. The moments are
+///           NaN without a converged equilibrium.
+/// Accuracy: the code agrees with the laws to rounding error; sliding agrees to 0.1 %. The friction
+///           of a bearing at speed is uncertain by +-40 %, because oil supply and heating of the
+///           inlets are not known well. Flooded inlets give 32 to 55 % more friction than limited
+///           inlets. The friction ratio of two bearings is much more accurate. `look` is described
+///           at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
                                                const bearing::BearingEquilibrium& equilibrium,
@@ -275,7 +283,7 @@ template <typename Look>
   return sum_over_contacts(equilibrium, turning, contacts, look);
 }
 
-/// Ignores all contacts; default of `look`.
+/// Default of `look` in bearing_friction(): does nothing.
 inline constexpr auto no_look = [](std::size_t, bearing::Race, const ContactFriction&, double) {};
 
 [[nodiscard]] inline BearingFriction bearing_friction(

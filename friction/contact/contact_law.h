@@ -13,7 +13,7 @@
 
 namespace raceway::friction::contact {
 
-/// Parameters of the law, in the order of its values.
+/// Parameters of the contact law. Arguments named `values` have this order.
 inline constexpr std::array contact_parameters{
     Parameter{.name = "rolling_factor",
               .unit = "1",
@@ -46,38 +46,44 @@ inline constexpr std::array contact_parameters{
     Parameter{.name = "K_rs", .unit = "1", .initial = 0.0, .lower = 0.0, .upper = 1e-6},
     Parameter{.name = "oil_fraction", .unit = "1", .initial = 0.0, .lower = 0.0, .upper = 0.3}};
 
-/// Returns the law with these numbers. `values` are in the order above.
+/// Returns the contact law with these parameter values. `values` has the order of
+/// contact_parameters.
 [[nodiscard]] ContactLaw contact_law(const ContactData& data, std::span<const double> values);
 
-/// Returns the oil at the state's temperature and viscosity; an effect may have changed either one.
+/// Returns the oil at the temperature and viscosity in `state`. An effect may have changed either
+/// value.
 [[nodiscard]] OilState oil_of(const BearingState<double>& state);
 
-/// Friction at the contacts of one ball. A contact that the ball has lost has no value.
+/// Friction at the contacts of one ball. `inner` or `outer` is empty if the ball does not touch
+/// this race.
 struct BallFriction {
   std::optional<ContactFriction> inner, outer;
 };
 
-/// Friction of a bearing from its contacts, with further results of the law.
+/// Friction of a bearing by the contact law, with further results.
 struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
-  double mean_slip = unset;  ///< Σ p |v|/Σ Q over all contacts [m/s]
+  double mean_slip = unset;  ///< mean sliding speed of all contacts, Σ p |v|/Σ Q [m/s]
   /// Largest ratio of the friction force that balances the gyroscopic moment to the contact load
-  /// [1], and largest ratio of this force to the friction of film and asperities in the contact
   /// [1].
   double holding_coefficient = unset;
+  /// Largest ratio of the friction force that balances the gyroscopic moment to the friction of
+  /// film and asperities in the contact [1].
   double holding_over_traction = unset;
 
   [[nodiscard]] double moment() const { return friction.moment() + drag; }  ///< [N m]
-  /// Returns the moments in the form of base_moments().
+  /// Returns the rolling resistance of the oil as `viscous`, and the sum of all other moments as
+  /// `load`.
   [[nodiscard]] BaseMoments<double> moments() const {
     return {.load = sliding() + hysteresis() + drag, .viscous = rolling()};
   }
-  /// True if rescale() can convert a result from the values `from` to the values `to`: only the
-  /// factors of rolling and hysteresis differ, and no changed factor was 0.
+  /// True if rescale() can convert a result from the parameter values `from` to the values `to`.
+  /// Only the factors of rolling and hysteresis may differ, and a changed factor must not be 0 in
+  /// `from`.
   [[nodiscard]] static bool rescales(std::span<const double> from, std::span<const double> to);
   void rescale(std::span<const double> from, std::span<const double> to);
-  /// Multiplies the rolling resistance of the oil by this factor [1].
+  /// Multiplies the rolling resistance of the oil by the factor `share` [1].
   void thin(double share) {
     friction.inner.rolling *= share;
     friction.outer.rolling *= share;
@@ -92,8 +98,9 @@ struct ContactResult {
 /// Heat of each ring [W]: the power of its contacts, plus half of the drag losses of the balls.
 [[nodiscard]] HeatSplit ring_heat(const ContactResult& result, double speed);
 
-/// Sums the friction of all balls of a state. Numbers are NaN without a converged equilibrium. If
-/// `balls` is given, it receives the contacts of each distinct ball.
+/// Returns the friction of a bearing, summed over its balls. Sliding, rolling and hysteresis are
+/// NaN without a converged equilibrium. If `balls` is not null, it receives the friction at the
+/// contacts of each distinct ball.
 [[nodiscard]] ContactResult contact_result(const BearingState<double>& state,
                                            std::span<const double> values,
                                            std::vector<BallFriction>* balls = nullptr);
@@ -102,10 +109,10 @@ struct ContactResult {
 ///
 ///   M = Z (C_D/2) ρ c (π D²/4) (ω_m d_m/2)³/ω,   C_D = 0.45
 ///
-/// c: share of oil in the free space, `oil_fraction`.
+/// c is `oil_fraction`, the share of oil in the free space of the bearing.
 /// Source:   drag of a sphere at high Reynolds number, c as in commercial programs; from memory,
 ///           not checked against a print.
-/// Domain:   speed > 0; the result is 0 at standstill. Accuracy: a factor of 3. The drag of the
+/// Domain:   speed > 0; the moment is 0 at standstill. Accuracy: a factor of 3. The drag of the
 ///           cage is not included.
 [[nodiscard]] double ball_drag(const BearingState<double>& state, double density,
                                double oil_fraction);

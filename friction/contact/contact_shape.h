@@ -8,18 +8,18 @@
 
 namespace raceway::friction::contact {
 
-/// Shape of all contacts of one race, at the nominal contact angle like Bearing::contact().
+/// Shape of all contacts of one race, at the nominal contact angle, as in Bearing::contact().
 ///
 ///   R_x = D (1 ∓ γ)/2,  γ = D cos α0/d_m,  upper sign at the inner race;   R_z = f D/(2 f - 1)
 ///   R = 2 f D/(2 f + 1)
 struct ContactShape {
-  double radius_along = unset;     ///< R_x [m]
-  double radius_across = unset;    ///< R_z [m]
+  double radius_along = unset;     ///< R_x, equivalent radius along rolling [m]
+  double radius_across = unset;    ///< R_z, equivalent radius across rolling [m]
   double pressed_radius = unset;   ///< R, radius of the deformed contact across rolling [m]
   double modulus = unset;          ///< E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2) [Pa]
   double ellipse_ratio = unset;    ///< k = a/b [1]
-  double second_integral = unset;  ///< E(k) [1]
-  double unit_major_axis = unset;  ///< a at 1 N; grows with the cube root of the load [m]
+  double second_integral = unset;  ///< E(k), complete elliptic integral of the second kind [1]
+  double unit_major_axis = unset;  ///< a at 1 N load [m]; a grows with the cube root of the load
 };
 
 [[nodiscard]] inline ContactShape contact_shape(const bearing::Bearing& bearing,
@@ -41,17 +41,18 @@ struct ContactShape {
 
 /// Relative motion of ball and race at one contact.
 struct ContactMotion {
-  double surface_speed = 0.0;  ///< u, mean of both surfaces in the frame of the cage [m/s]
+  double surface_speed = 0.0;  ///< u, mean speed of both surfaces relative to the cage [m/s]
   double rolling = 0.0;  ///< ω_roll, relative rotation about the tangent across rolling [rad/s]
-  double spin = 0.0;     ///< ω_s, rotation about the normal, magnitude [rad/s]
+  double spin = 0.0;     ///< ω_s, relative rotation about the normal, magnitude [rad/s]
 };
 
-/// Both contacts of a ball that rolls without slip at their centres.
+/// Motion at both contacts of a ball that rolls without slip at the contact centres.
 ///
 ///   u_i = (ω - ω_m)(d_m - D cos αi)/2,   u_o = ω_m (d_m + D cos αo)/2
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
-/// Source: derived; ω_R, ω_m, β, spins as in bearing/kinematics.h, for either race control.
+/// Source: derived. bearing/kinematics.h defines ω_R, ω_m, β and the spin speeds. The formulas are
+///         valid for inner and outer race control.
 struct BallMotion {
   ContactMotion inner, outer;
 };

@@ -12,16 +12,16 @@ namespace raceway::friction::contact {
 ///
 ///   x = b r cos θ,  y = a r sin θ,  r² = 1 - s²,  p = p0 s,  dx dy = a b s ds dθ
 ///
-/// Gauss points in s from 0 to 1, midpoints in θ from -π/2 to π/2: this avoids the pole at the
-/// centre and the root at the rim, where p falls to zero with infinite slope. The integrals of
-/// polynomials in x and y are exact up to degree 2 Angles - 1 in θ; in s they are exact for p times
-/// even powers.
+/// The points are Gauss points in s from 0 to 1 and midpoints in θ from -π/2 to π/2. This choice
+/// avoids the pole at the centre and the root at the rim, where the pressure p falls to zero with
+/// infinite slope. In θ, integrals of polynomials in x and y are exact up to degree 2 Angles - 1.
+/// In s, integrals of p times even powers are exact.
 template <std::size_t Radial, std::size_t Angles>
 struct EllipsePoints {
-  std::array<double, Radial> s{};       ///< p/p0 [1]
-  std::array<double, Radial> radius{};  ///< r [1]
+  std::array<double, Radial> s{};       ///< s = p/p0, pressure divided by peak pressure [1]
+  std::array<double, Radial> radius{};  ///< r, relative distance from the centre [1]
   std::array<double, Radial>
-      weight{};  ///< weight of a point of the half: s ds dθ [1]; Σ Angles weight = π/2
+      weight{};  ///< weight of each point, s ds dθ [1]; Angles times the sum of `weight` is π/2
   std::array<double, Angles> cosine{}, sine{};
 
   EllipsePoints() {

@@ -7,34 +7,34 @@
 
 namespace raceway::friction::contact {
 
-/// Rolling contact and the oil at its inlet: inputs of the film and rolling laws.
+/// Inputs of the film and rolling laws: a rolling contact and the oil at its inlet.
 struct RollingInlet {
   double viscosity = unset;           ///< η of the oil at ambient pressure [Pa s]
   double pressure_viscosity = unset;  ///< α [1/Pa]
-  double speed = unset;         ///< u, mean of both surfaces in the frame of the cage [m/s], >= 0
-  double modulus = unset;       ///< E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2), twice HertzContact's [Pa]
-  double radius_along = unset;  ///< R_x, equivalent radius along rolling [m]
-  double load = unset;          ///< Q [N]
+  double speed = unset;               ///< u, mean surface speed relative to the cage [m/s], >= 0
+  double modulus = unset;             ///< E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2) [Pa]
+  double radius_along = unset;        ///< R_x, equivalent radius along rolling [m]
+  double load = unset;                ///< Q [N]
 };
 
-/// Film of a point contact [m].
+/// Film thickness of a point contact [m].
 struct Film {
-  double central = 0.0;  ///< h_c
+  double central = 0.0;  ///< h_c, at the centre
   double minimum = 0.0;  ///< h_min, at the sides
 };
 
-/// Isothermal, flooded film of an elliptical contact [m].
+/// Film thickness of a flooded elliptical contact without inlet heating [m].
 ///
 ///   h_c/R_x   = 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k))
 ///   h_min/R_x = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
 ///   U = η u/(E' R_x),   G = α E',   W = Q/(E' R_x²),   k = a/b of the exact ellipse
 ///
 /// Source:   [HamrockDowson1977], as in several public programs that agree.
-/// Domain:   Q > 0, rolling along the short axis; zero at standstill. Fitted for U from about 1e-12
-///           to 1e-11, W from 1e-7 to 1e-6, k from 1 to 8. In spindle bearings U is up to ten times
-///           larger.
-/// Accuracy: the code agrees with the formula to rounding error; 10 to 20 % compared with measured
-///           films.
+/// Domain:   Q > 0, rolling along the short axis of the ellipse; the film is zero at standstill.
+///           The formula was fitted for U from about 1e-12 to 1e-11, W from 1e-7 to 1e-6, k from 1
+///           to 8. In spindle bearings U is up to ten times larger.
+/// Accuracy: the code agrees with the formula to rounding error; measured films differ from the
+///           formula by 10 to 20 %.
 /// Trap:     U here is half the U of rolling_force().
 [[nodiscard]] inline Film isothermal_film(const RollingInlet& c, double ellipse_ratio) {
   if (!(c.speed > 0.0)) return {};  // powers without finite derivatives
@@ -57,12 +57,12 @@ struct Film {
 ///
 ///   φ_T = 1/(1 + 0.1 (1 + 14.8 S^0.83) L^0.64)
 ///
-/// S = |u1 - u2|/u is zero for pure rolling.
+/// The slip ratio S = |u1 - u2|/u is zero for pure rolling.
 /// Source:   a published report on roller bearings; the original paper was not checked. Other texts
 ///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which gives a
 ///           thinner film.
-/// Domain:   L >= 0, S >= 0; 1 at L = 0. Accuracy: 10 % up to L = 1; the formula is extrapolated
-///           above L = 1.
+/// Domain:   L >= 0, S >= 0; the share is 1 at L = 0. Accuracy: 10 % up to L = 1; the formula is
+///           extrapolated above L = 1.
 [[nodiscard]] inline double thermal_film_factor(double loading, double slip_ratio = 0.0) {
   if (!(loading > 0.0)) return 1.0;
   const double slip = slip_ratio > 0.0 ? 1.0 + 14.8 * std::pow(slip_ratio, 0.83) : 1.0;
@@ -74,8 +74,8 @@ struct Film {
 ///   central  ((m - 1)/(m* - 1))^0.29,   m* = 1 + 3.06 ((R_x/b)² H_c)^0.58
 ///   minimum  ((m - 1)/(m* - 1))^0.25,   m* = 1 + 3.34 ((R_x/b)² H_min)^0.56,   H = h/R_x
 ///
-/// m is the distance of the oil's edge from the centre, divided by b. H belongs to the isothermal
-/// flooded film.
+/// m is the distance from the contact centre to the edge of the oil, divided by b. h is the result
+/// of isothermal_film().
 /// Source:   [HamrockDowson1977, part 4], from memory; no print or program was found for a check.
 /// Domain:   m > 1. The share is 1 for m >= m*, so a film is never thicker than the flooded film.
 struct StarvationFactors {
@@ -99,12 +99,12 @@ struct StarvationFactors {
   return std::sqrt(race * race + ball * ball);
 }
 
-/// Λ = h_min/composite roughness [1].
+/// Film ratio Λ = h_min/composite roughness [1].
 [[nodiscard]] inline double film_ratio(const Film& film, double composite_roughness) {
   return film.minimum / composite_roughness;
 }
 
-/// Load share of a surface's asperities: B and C of asperity_share() [1, 1].
+/// Constants B and C of asperity_share() [1, 1].
 struct AsperityLaw {
   double B = 1.8, C = 1.2;
 };
@@ -113,9 +113,10 @@ struct AsperityLaw {
 ///
 ///   φ = exp(-B Λ^C)
 ///
-/// Source:   [ZhouHoeprich1991], not checked against the print. The form comes from a published
-///           simulation of roller bearings, with B = 2.32 and C = 0.97 for its raceways. Both
-///           depend on the surface. The defaults 1.8 and 1.2 are from memory.
+/// Source:   [ZhouHoeprich1991], not checked against the print. The form of the formula comes from
+///           a published simulation of roller bearings, with B = 2.32 and C = 0.97 for its
+///           raceways. B and C depend on the surface finish. The defaults 1.8 and 1.2 are from
+///           memory.
 /// Domain:   Λ >= 0. Accuracy: near Λ = 1, φ of different surface finishes differs by a factor of
 ///           2.
 [[nodiscard]] inline double asperity_share(double film_ratio, const AsperityLaw& law = {}) {

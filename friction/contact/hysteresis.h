@@ -15,14 +15,14 @@ namespace raceway::friction::contact {
 /// and across the rolling direction; E' is the modulus of the contact, E'_s the modulus of steel on
 /// steel.
 /// Source:   [Houpert2002] as quoted in [Balan2015, eq. 9]. Neither print was checked; the equation
-///           of Balan comes from notes on the paper. A public ball screw program has k = R_y/R_x in
-///           the same formula. The last factor is derived: if the loss is proportional to the
-///           elastic work, M_h = (3/16) α Q b, and b is proportional to (Q R_x/E')^(1/3) at a given
-///           shape. This assumes the same loss factor α, a few per cent, for steel and ceramic
-///           balls. The last factor is exactly 1 for steel.
-/// Domain:   Q >= 0, R_z >= R_x. The bracket is an approximation that falls to zero at R_z/R_x =
-///           1100, which needs grooves of f < 0.5006. Beyond this ratio the result is zero, so that
-///           rolling never gains power.
+///           of Balan comes from notes on the paper. A public ball screw program also uses the
+///           ratio of radii in this formula. The last factor is derived: if the loss is
+///           proportional to the elastic work, M_h = (3/16) α Q b, and b is proportional to (Q
+///           R_x/E')^(1/3) at a given shape. This derivation assumes the same loss factor α, a few
+///           per cent, for steel and ceramic balls. The last factor is exactly 1 for steel.
+/// Domain:   Q >= 0, R_z >= R_x. The bracket in the formula is an approximation that falls to zero
+///           at R_z/R_x = 1100, which needs a conformity f < 0.5006. Beyond this ratio, the moment
+///           is set to zero, so that rolling never gains power.
 /// Trap:     R_z/R_x is a ratio of radii (25 to 33 at f = 0.52), not the axis ratio of the ellipse
 ///           (7 to 9).
 [[nodiscard]] inline double hysteresis_moment(double ball_diameter, double load,

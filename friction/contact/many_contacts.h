@@ -7,35 +7,36 @@
 
 namespace raceway::friction::contact {
 
-/// Vectorized contact_result() for many states of one bearing: the same laws, points and statuses.
+/// Vectorized contact_result() for many states of one bearing, with the same laws and integration
+/// points.
 ///
-/// All states should refer to the same bearing and the same ContactData. The function computes a
-/// state separately if it refers to another bearing or ContactData than the first state, if it is
-/// at standstill, or if it has no equilibrium or no race control. A result depends only on its
-/// state and the instruction set, to the last bit.
-/// Memory: a fixed amount for each thread, kept between calls. States need no additional memory.
+/// All states should refer to the same bearing and the same ContactData. Each result then depends
+/// only on its state and the instruction set, to the last bit. States at standstill, without
+/// equilibrium or without race control are computed singly, and so are states with another bearing
+/// or ContactData than the first state of their block of 256.
+/// Memory: each thread keeps a fixed amount between calls, whatever the number of states.
 /// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. Sliding
-///           uses the same points in single precision. Sliding agrees to 2e-4 in the worst of 4000
-///           random states, and to 1e-6 in most of these states (5e-7 of the torque of a 7014 at
-///           speed). Slip agrees to 5e-4, and `holding_over_traction` agrees to 2 %.
-/// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
-/// uses the kernels of avx2).
+///           is computed in single precision. It agrees to 2e-4 in the worst of 4000 random states,
+///           and to 1e-6 in most of these states (5e-7 of the torque of a 7014 at speed).
+///           `mean_slip` agrees to 5e-4, and `holding_over_traction` agrees to 2 %.
+/// Throws std::invalid_argument if the numbers of states and results differ, or if the machine
+/// lacks the instructions of `set`.
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
                      std::span<ContactResult> results,
                      bearing::InstructionSet set = bearing::best_instruction_set());
 
-/// Output of friction_of_many(): one number per point; an empty span is not filled.
+/// Output of friction_of_many(). Each span has one element per operating point; an empty span is
+/// not filled.
 struct FrictionColumns {
-  std::span<double> torque{};  ///< [N m]
-  /// Parts of the friction moment [N m].
+  std::span<double> torque{};  ///< friction moment of the bearing [N m]
+  /// Contributions to the friction moment [N m].
   std::span<double> rolling{}, sliding{}, hysteresis{}, drag{};
-  std::span<double> inner_heat{}, outer_heat{};  ///< [W]
-  std::span<double> smallest_film{};             ///< h_min [m]
-  std::span<double> smallest_film_ratio{};       ///< Λ [1]
-  std::span<double> kinematic_viscosity{};       ///< viscosity of the oil at the point [m²/s]
-  /// Equivalent loads of the races [N], which together with `kinematic_viscosity` determine the
-  /// life by ISO/TS 16281: Q_ei = (Σ Q^3/Z)^(1/3) for the rotating inner ring, Q_ee = (Σ
-  /// Q^(10/3)/Z)^(3/10) for the stationary outer ring.
+  std::span<double> inner_heat{}, outer_heat{};  ///< heat of each ring [W]
+  std::span<double> smallest_film{};             ///< smallest h_min of all contacts [m]
+  std::span<double> smallest_film_ratio{};       ///< smallest film ratio Λ of all contacts [1]
+  std::span<double> kinematic_viscosity{};  ///< viscosity at the temperature of the point [m²/s]
+  /// Equivalent ball loads of the races for the life by ISO/TS 16281 [N]: Q_ei = (Σ Q^3/Z)^(1/3)
+  /// for the rotating inner ring, Q_ee = (Σ Q^(10/3)/Z)^(3/10) for the stationary outer ring.
   std::span<double> inner_equivalent_load{}, outer_equivalent_load{};
 };
 
@@ -44,14 +45,14 @@ struct FrictionOfMany {
   const bearing::Bearing* bearing = nullptr;
   const Lubricant* lubricant = nullptr;
   const ContactData* data = nullptr;
-  std::span<const double> values;  ///< values of contact_parameters
+  std::span<const double> values;  ///< parameter values in the order of contact_parameters
 };
 
-/// Equilibrium and friction of one bearing at many operating points (speed, loads, temperature),
-/// shared among threads in fixed chunks. The values of a point without equilibrium are NaN.
+/// Computes equilibrium and friction of one bearing at many operating points (speed, loads,
+/// temperature), in parallel on several threads. All values of a point without equilibrium are NaN.
 /// Domain:   as for solve_bearing_equilibrium() and Lubricant. Accuracy: as contact_results().
-/// Throws std::invalid_argument if a non-empty span does not have one number per point, or for
-/// points that are out of range.
+/// Throws std::invalid_argument if a non-empty span does not have one element per point, or if a
+/// point is out of range.
 void friction_of_many(const FrictionOfMany& asked, std::span<const bearing::OperatingPoint> points,
                       const FrictionColumns& columns,
                       const bearing::EquilibriumOptions& options = {},

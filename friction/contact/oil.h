@@ -7,14 +7,15 @@
 #include "friction/lubricant.h"
 #include "record/units.h"
 
-/// Contacts of ball and race: film, rolling resistance of the oil, traction, hysteresis. This file
-/// has the formulas of one contact; contact_friction.h sums the friction over a bearing.
+/// Friction laws for contacts of ball and race: film, rolling resistance of the oil, traction,
+/// hysteresis. bearing_friction() sums the friction over a bearing.
 namespace raceway::friction::contact {
 
-/// Types of oil that differ in the properties below. For a grease, the type of its base oil.
+/// Types of oil, with different properties in oil_defaults(). For a grease, use the type of its
+/// base oil.
 enum class OilType { mineral, pao, ester };
 
-/// Name in files: "mineral", "pao", "ester".
+/// Name of an oil type in files: "mineral", "pao", "ester".
 [[nodiscard]] constexpr std::string_view name(OilType type) {
   return type == OilType::mineral ? "mineral" : type == OilType::pao ? "pao" : "ester";
 }
@@ -26,17 +27,18 @@ enum class OilType { mineral, pao, ester };
 
 /// Default properties of a type of oil.
 struct OilDefaults {
-  double density_15C;           ///< ρ15 [kg/m³]
-  double conductivity;          ///< k_f [W/(m K)]
-  double limiting_traction;     ///< limit of the film at high pressure, shear stress/pressure [1]
+  double density_15C;           ///< ρ15, density at 15 °C [kg/m³]
+  double conductivity;          ///< k_f, thermal conductivity [W/(m K)]
+  double limiting_traction;     ///< largest shear stress of the film divided by pressure [1]
   double pressure_viscosity_s;  ///< s of pressure_viscosity() [1/GPa]
-  double pressure_viscosity_t;  ///< t [1]
+  double pressure_viscosity_t;  ///< t of pressure_viscosity() [1]
 };
 
-/// Source:   textbook values of each type, s and t by [Gold2001]. All are from memory and were not
-///           checked against a print.
-/// Accuracy: density 3 %, conductivity and α 15 %, limiting traction 30 %. Below about 1.2 GPa the
-///           limiting traction changes the torque of a spindle bearing by less than 0.1 %.
+/// Source:   textbook values of each type, s and t by [Gold2001]. All values are from memory and
+///           were not checked against a print.
+/// Accuracy: density 3 %, conductivity and α 15 %, limiting traction 30 %. At contact pressures
+///           below about 1.2 GPa, the limiting traction changes the torque of a spindle bearing by
+///           less than 0.1 %.
 [[nodiscard]] constexpr OilDefaults oil_defaults(OilType type) {
   switch (type) {
     case OilType::pao:
@@ -53,11 +55,11 @@ struct OilDefaults {
 /// oils are 2 to 10 MPa.
 inline constexpr double default_eyring_stress = 5.0 * MPa;
 
-/// Decrease of the density of an oil per kelvin, relative to its density at 15 °C [1/K]. Tables
-/// give 6.4e-4 to 7e-4.
+/// Decrease of the density of an oil per kelvin, relative to its density at 15 °C [1/K]. Published
+/// tables give 6.4e-4 to 7e-4.
 inline constexpr double density_slope = 6.5e-4;
 
-/// ρ = ρ15 (1 - 6.5e-4 (T - 15 °C)) [kg/m³]. Domain: T below 1500 °C.
+/// Density of an oil, ρ = ρ15 (1 - 6.5e-4 (T - 15 °C)) [kg/m³]. Domain: T below 1500 °C.
 [[nodiscard]] inline double oil_density(double density_15C, double temperature) {
   return density_15C * (1.0 - density_slope * (temperature - kelvin(15.0)));
 }
@@ -74,7 +76,7 @@ inline constexpr double density_slope = 6.5e-4;
          std::pow(kinematic_viscosity / mm2_per_s, oil.pressure_viscosity_t) / GPa;
 }
 
-/// State of an oil at one temperature and ambient pressure.
+/// Properties of an oil at one temperature and ambient pressure.
 struct OilState {
   double kinematic_viscosity = unset;  ///< ν [m²/s]
   double density = unset;              ///< ρ [kg/m³]
@@ -84,7 +86,7 @@ struct OilState {
   double conductivity = unset;         ///< k_f [W/(m K)]
 };
 
-/// Oil data in addition to the viscosities. The default of the oil type replaces unset data.
+/// Properties of an oil in addition to its viscosities. NaN stands for the default of the oil type.
 struct OilData {
   OilType type = OilType::mineral;
   double density_15C = unset;         ///< [kg/m³]
@@ -92,7 +94,8 @@ struct OilData {
   double pressure_viscosity = unset;  ///< α, independent of temperature [1/Pa]
 };
 
-/// β = -d ln ν/dT - d ln ρ/dT. Domain: as for Lubricant.
+/// Returns the properties of an oil at a temperature [K], with β = -d ln ν/dT - d ln ρ/dT. Domain:
+/// as for Lubricant.
 [[nodiscard]] inline OilState oil_state(const Lubricant& lubricant, const OilData& oil,
                                         double temperature) {
   const OilDefaults usual = oil_defaults(oil.type);

@@ -29,9 +29,11 @@ class Roelands {
            std::exp(log_ * (std::pow(1.0 + pressure / reference_pressure, exponent_) - 1.0));
   }
 
-  /// η0, L and Z of the formula, for callers that evaluate many pressures.
+  /// η0 of the formula [Pa s].
   [[nodiscard]] double at_no_pressure() const { return viscosity_; }
+  /// L of the formula [1].
   [[nodiscard]] double logarithm() const { return log_; }
+  /// Z of the formula [1].
   [[nodiscard]] double exponent() const { return exponent_; }
 
   static constexpr double reference_pressure = 1.96e8;  ///< [Pa]
@@ -40,7 +42,8 @@ class Roelands {
   double viscosity_, log_, exponent_;
 };
 
-/// True if Roelands' law has a value for an oil of this viscosity. Thinner oils do not lubricate.
+/// True if Roelands' law gives a finite viscosity for an oil with this η0 [Pa s]. Oils for which it
+/// is false do not lubricate.
 [[nodiscard]] inline bool roelands_holds(double viscosity) {
   return std::log(viscosity) + 9.67 > 0.0;
 }

@@ -41,16 +41,16 @@ struct RollingEllipse {
 ///
 /// IVR is the force of a rigid contact with isoviscous oil, and EHL the force of an
 /// elastohydrodynamic contact, both divided by E' R_x². U, W, β, κ and M are defined at
-/// moes_load(), and G = α E'. rolling_power() gives the power.
-/// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The limited inlet is Houpert's law of
-///           1987. [Balan2015, eqs. 1 to 5] agrees. The equations were read as plain text, not in
-///           the print layout.
+/// moes_load(), and G = α E'. rolling_power() computes the power.
+/// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The formula for limited inlets is
+///           Houpert's of 1987. [Balan2015, eqs. 1 to 5] gives the same formulas. The equations
+///           were read as plain text, not in the print layout.
 /// Domain:   Q > 0. The force is zero at standstill, where its derivative with respect to speed is
 ///           infinite.
-/// Accuracy: the code agrees with the formula to rounding error; a flooded and a limited inlet
-///           differ by 30 to 55 % at spindle speeds, and the inlet condition is not known
+/// Accuracy: the code agrees with the formula to rounding error. At spindle speeds, the forces for
+///           flooded and limited inlets differ by 30 to 55 %, and the inlet condition is not known
 ///           beforehand.
-/// Trap:     U has a factor 2 that Hamrock and Dowson's U lacks.
+/// Trap:     U here is twice the U of isothermal_film().
 [[nodiscard]] inline double rolling_force(const RollingEllipse& c, Inlet supply) {
   const RollingInlet& i = c.inlet;
   if (!(i.speed > 0.0 && i.load > 0.0)) return 0.0;

@@ -8,12 +8,12 @@
 
 namespace raceway::friction::contact {
 
-/// Shear stress at one point of a contact with sliding speed v, for traction.h: τ(v)/v, finite at v
-/// = 0, and dτ/dv [Pa s/m]. Call at_pressure(p) of a law once for each pressure, and use its result
-/// for any number of speeds.
+/// Shear stress τ at one point of a contact at the sliding speed v, as τ/v and dτ/dv [Pa s/m]. Both
+/// are finite at v = 0. Call at_pressure(p) of a shear law once for each pressure p; its result
+/// computes this response for any sliding speed.
 struct ShearResponse {
-  double secant;   ///< τ/v
-  double tangent;  ///< dτ/dv, from 0 to the secant
+  double secant;   ///< τ/v [Pa s/m]
+  double tangent;  ///< dτ/dv [Pa s/m], from 0 to τ/v
 };
 
 /// Shear stress of an oil film with asperities that carry a share of the load [Pa].
@@ -25,10 +25,10 @@ struct ShearResponse {
 /// makes the direction of τ smooth where v changes sign.
 /// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], not checked
 ///           against the print. η(p) is Roelands' law.
-/// Domain:   v >= 0, p >= 0, h_c > 0; φ = 1 ignores the film (standstill).
-/// Accuracy: 30 % for the stress of a film below 1 GPa. In bearings with a full film, the rolling
-///           resistance of the oil is about 98 % of the friction, and the stress of the film causes
-///           the rest.
+/// Domain:   v >= 0, p >= 0, h_c > 0; at φ = 1 (standstill), the film has no effect.
+/// Accuracy: the stress of a film is accurate to 30 % at pressures below 1 GPa. In bearings with a
+///           full film, the rolling resistance of the oil is about 98 % of the friction, and the
+///           stress of the film causes the rest.
 struct FilmShear {
   Roelands viscosity;
   double film;               ///< h_c [m]
@@ -38,8 +38,8 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Upper limit of `steepness`, above the value of any real film [s/m]. The limit keeps Roelands'
-  /// values finite at unrealistic pressures.
+  /// Upper limit of η(p)/(h_c τ0), above the value of any real film [s/m]. The limit keeps
+  /// Roelands' values finite at unrealistic pressures.
   static constexpr double glass = 1e30;
 
   struct Point {
@@ -80,7 +80,7 @@ struct FilmShear {
 };
 
 /// Dry friction, τ = μ p v/sqrt(v² + ε²): the limit of FilmShear at φ = 1. For simple slip fields,
-/// the sums over a contact have closed forms.
+/// the traction of a contact has a closed form.
 struct CoulombShear {
   double friction_coefficient;  ///< μ [1]
   double small_speed;           ///< ε [m/s], > 0
@@ -98,11 +98,11 @@ struct CoulombShear {
   }
 };
 
-/// A film of one viscosity, τ = η v/h: the limit of FilmShear at small v. For simple slip fields,
-/// the sums over a contact have closed forms.
+/// A film of constant viscosity, τ = η v/h: the limit of FilmShear at small v. For simple slip
+/// fields, the traction of a contact has a closed form.
 struct NewtonShear {
-  double viscosity;  ///< [Pa s]
-  double film;       ///< [m]
+  double viscosity;  ///< η [Pa s]
+  double film;       ///< film thickness h [m]
 
   struct Point {
     double slope;

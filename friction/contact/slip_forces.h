@@ -9,8 +9,8 @@
 
 namespace raceway::friction::contact {
 
-/// Slip of ball and race in one contact: x along rolling, y across, ω_roll about the tangent across
-/// and ω_s about the normal,
+/// Slip between ball and race in one contact, with x along rolling and y across. ω_roll is the
+/// relative rotation about the tangent across rolling, and ω_s about the contact normal.
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x
 struct SlipMotion {
@@ -18,32 +18,32 @@ struct SlipMotion {
   double rolling = 0.0, spin = 0.0;  ///< ω_roll, ω_s, signed [rad/s]
 };
 
-/// Resisting force and slopes for each of the four parts of a SlipMotion.
+/// Resisting forces for the four components of a SlipMotion, and the derivatives of these forces.
 ///
 ///   force_k = Σ τ·∂v/∂k,   slope_kl = ∂force_k/∂l = Σ ∂v/∂k·(dτ/dv)·∂v/∂l
 ///
 /// τ is the gradient of a potential that is convex in v. So the matrix of slopes is symmetric and
-/// has no negative eigenvalue. The power of friction is the sum of the four products of force_k and
-/// slip part k. All three statements are valid for any set of points.
+/// has no negative eigenvalue. The friction power is the sum of the four products of force_k and
+/// slip component k. These statements are valid for any set of integration points.
 struct SlipForces {
-  std::array<double, 4> force{};  ///< for along, across [N], rolling and spin [N m]
-  double slope[4][4] = {};        ///< [N s/m, N s, N m s]
+  std::array<double, 4> force{};  ///< forces along, across [N], moments of rolling, spin [N m]
+  double slope[4][4] = {};        ///< slope_kl [N s/m], [N s] or [N m s]
   double power = 0.0;             ///< Σ τ v [W]
   double size = 0.0;              ///< Σ |τ| [N]
   double pressure_slip = 0.0;     ///< Σ p |v| [N m/s]
 };
 
-/// One loaded ellipse in which all four parts of the slip are free. For given rolling and spin, use
-/// traction.h. The stress at each pressure is computed once.
+/// One loaded contact ellipse with any combination of the four slip components. TractionField is
+/// for given rolling and spin.
 ///
-/// Source:   slip field of traction.h.
+/// Source:   slip field of TractionField.
 /// Domain:   Q > 0; any motion.
 /// Accuracy: with 8 x 16 points of the ellipse, the power is accurate to 0.03 % with a film and to
 ///           0.3 % with dry friction.
 class SlippingContact {
  public:
   SlippingContact() = default;
-  /// Uses only load and axes of `ellipse`; `pressed_radius` is R of contact_shape.h.
+  /// Uses only the load and the half axes of `ellipse`. `pressed_radius` is R of ContactShape [m].
   SlippingContact(const SlidingEllipse& ellipse, const FilmShear& shear, double pressed_radius);
 
   [[nodiscard]] SlipForces forces(const SlipMotion& motion) const;
@@ -51,7 +51,7 @@ class SlippingContact {
   [[nodiscard]] double pressed_radius() const { return pressed_radius_; }
 
   /// Sets the speed below which the direction of dry friction is smoothed, as a multiple of
-  /// small_speed of the shear law.
+  /// FilmShear::small_speed.
   void smooth(double times);
 
  private:

@@ -19,7 +19,7 @@ struct SlidingEllipse {
   double semi_major_axis = unset;  ///< a, along y [m]
   double semi_minor_axis = unset;  ///< b, along x [m]
   /// Coefficient of the differential slip by rolling in a groove, ω_roll/(2 R), with R of
-  /// contact_shape.h [1/(m s)].
+  /// ContactShape [1/(m s)].
   double differential = 0.0;
   double spin = 0.0;  ///< ω_s, rotation about the normal [rad/s]
 
@@ -28,12 +28,12 @@ struct SlidingEllipse {
   }
 };
 
-/// Velocity of sliding at the centre of an ellipse [m/s].
+/// Sliding velocity at the centre of a contact ellipse, v_x0 and v_y0 [m/s].
 struct CentreSlip {
   double along = 0.0, across = 0.0;
 };
 
-/// Sums of the shear stress over a contact.
+/// Integrals of the shear stress over a contact ellipse.
 struct TractionSums {
   double along = 0.0, across = 0.0;  ///< Σ τ_x, Σ τ_y [N]
   double along_slope = 0.0;          ///< d(Σ τ_x)/dv_x0 [N s/m]
@@ -50,13 +50,13 @@ struct TractionSums {
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x,   τ = τ(p, |v|) v/|v|
 ///
 /// One integral includes spin, differential and gyroscopic sliding, because their friction forces
-/// cannot be added. The stress at each pressure is computed once. sums() then evaluates any number
-/// of v_x0, v_y0.
-/// Source:   slip field derived; for pure spin it gives the moment of [Harris2006, vol. 2, ch. 5],
-///           (3/8) μ Q a E(k), for pure differential sliding 0.1611 μ Q ω_roll a²/(2 R).
-/// Domain:   Q > 0, ellipse small compared with the radii.
-/// Accuracy: with 16 x 32 points of the whole ellipse, 0.03 % of the power; with dry friction 0.2
-///           %.
+/// cannot be computed separately and added.
+/// Source:   derived. With dry friction, pure spin gives the moment (3/8) μ Q a E(k) of
+///           [Harris2006, vol. 2, ch. 5], and pure differential sliding gives the power 0.1611 μ Q
+///           ω_roll a²/(2 R).
+/// Domain:   Q > 0; the ellipse is small compared with the radii of ball and groove.
+/// Accuracy: with 16 x 32 points of the whole ellipse, the power is accurate to 0.03 %; with dry
+///           friction, to 0.2 %.
 template <class Shear, std::size_t Radial, std::size_t Angles>
 class TractionField {
  public:
@@ -132,24 +132,25 @@ class TractionField {
   std::array<Point, Radial> points_{};
 };
 
-/// Traction of a contact, with the solved slip at the centre.
+/// Traction of a contact, with the slip at its centre that the solver found.
 struct Traction {
   bool converged = false;
   CentreSlip slip;               ///< v_x0, v_y0 [m/s]
-  double power = unset;          ///< [W], >= 0
+  double power = unset;          ///< friction power [W], >= 0
   double spin_moment = unset;    ///< moment that resists ω_s [N m]
-  double mean_friction = unset;  ///< Σ |τ|/Q [1]
-  double mean_slip = unset;      ///< Σ p |v|/Q [m/s]
+  double mean_friction = unset;  ///< mean friction coefficient Σ |τ|/Q [1]
+  double mean_slip = unset;      ///< mean sliding speed Σ p |v|/Q [m/s]
 };
 
-/// Finds the zero of an increasing function by Newton's method inside a bracket. Bisection replaces
-/// a step that does not halve the value, because dry friction changes direction within about a
-/// millionth of the rolling speed. value(v) returns {value, slope, size}, where size is a scale of
-/// the value, such as Σ |τ|. The search ends if |value| <= tolerance * size, or if the bracket has
-/// shrunk to `tolerance` times its initial width.
+/// Value and slope of an increasing function, and `size`, a scale of the value such as Σ |τ|.
 struct GrowingValue {
   double value, slope, size;
 };
+/// Finds the zero of an increasing function by Newton's method inside the bracket from `low` to
+/// `high`. `value(v)` returns a GrowingValue. Bisection replaces a step that does not halve the
+/// value, because dry friction changes direction within about a millionth of the rolling speed. The
+/// search ends if |value| <= tolerance * size, or if the bracket has shrunk to `tolerance` times
+/// its initial width. Returns false if neither happens within 200 steps.
 template <class Value>
 [[nodiscard]] bool find_zero(const Value& value, double low, double high, double& v,
                              double tolerance = 1e-11) {
@@ -169,8 +170,9 @@ template <class Value>
   return false;
 }
 
-/// v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. The result lies between
-/// -ω_roll a²/(2 R) and 0, because rolling drags the edges of the ellipse forward.
+/// Finds the slip v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. v_x0 lies
+/// between -ω_roll a²/(2 R) and 0, because rolling drags the edges of the ellipse forward. Returns
+/// false if the search fails.
 template <class Field>
 [[nodiscard]] bool find_free_rolling(const Field& field, bool whole, CentreSlip& slip) {
   const SlidingEllipse& e = field.ellipse();

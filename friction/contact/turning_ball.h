@@ -11,11 +11,12 @@
 // Internal to ball_attitude.cpp.
 namespace raceway::friction::contact {
 
-/// Slip at both centres along rolling and across, and ω_R sin β times a length, all in [m/s].
+/// Unknowns of the solver [m/s]: slip along rolling at the inner and outer contact centre, slip
+/// across rolling, and ω_R sin β times a length.
 using Slips = std::array<double, 4>;
 
-/// One ball between its races: the speeds of the ball at four given slips, and the balance of its
-/// forces.
+/// One ball between its races: computes the speeds of the ball from four given slips, and the
+/// balance of its forces.
 class TurningBall {
  public:
   TurningBall(const bearing::Bearing& bearing, const bearing::BallEquilibrium& ball, double speed,
@@ -69,7 +70,7 @@ class TurningBall {
             v.across * co_ - v.along * so_ + v.cage * so_};
   }
 
-  /// All forces at given slips, with their slopes for the Newton step.
+  /// Forces at given slips, with their derivatives for the Newton step.
   struct Look {
     SlipForces inner, outer;
     std::array<double, 4> missing;  ///< imbalances [N]
@@ -104,7 +105,7 @@ class TurningBall {
     return l;
   }
 
-  /// Newton step from q; `l` was evaluated at q.
+  /// Newton step from the slips q; `l` is look(q).
   [[nodiscard]] Slips step(const Slips& q, const Look& l) const {
     const Speeds v = speeds(q);
     double arm[2][4][4], a[4][4] = {}, b[4];
@@ -156,8 +157,9 @@ class TurningBall {
     const double inner = ci_ + pitch * si_, outer = co_ + pitch * so_;
     return speed_ * inner_radius_ * outer / (inner_radius_ * outer + outer_radius_ * inner);
   }
-  /// Returns tan β under outer and inner control.
+  /// Returns tan β under outer control.
   [[nodiscard]] double outer_control() const { return so_ / (co_ + half_ / pitch_radius()); }
+  /// Returns tan β under inner control.
   [[nodiscard]] double inner_control() const { return si_ / (ci_ - half_ / pitch_radius()); }
 
  private:

@@ -6,8 +6,8 @@
 
 namespace raceway::life {
 
-/// Linear interpolation between the points of a printed table, constant beyond its ends. x
-/// increases.
+/// Value of y at `at`: linear between the points of a printed table, constant beyond its ends; NaN
+/// if `at` is NaN. x must increase.
 [[nodiscard]] inline double between(std::span<const double> x, std::span<const double> y,
                                     double at) {
   if (!(at > x.front())) return at == at ? y.front() : at;

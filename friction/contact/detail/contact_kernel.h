@@ -10,9 +10,9 @@ namespace raceway::friction::contact {
 inline constexpr std::size_t contacts_of_block = 16;
 inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 
-/// Data common to all contacts of a call: race, law, and whether the contacts spin. Names as in
-/// contact_friction.h. The factors do not contain the powers of values that differ between
-/// contacts.
+/// Constants that all contacts of one kernel call have in common: race, law and integration points.
+/// Names are as in contact_friction.h. Values that differ between contacts, such as load and speed,
+/// are not included in the factors.
 struct KernelRace {
   bool flooded, starves;  ///< true: inlets are flooded; true: inlet_over_b is given
   // Ellipse and motion.
@@ -25,15 +25,16 @@ struct KernelRace {
   double rigid_factor, elastic_factor, moes_factor, rolling_factor, hysteresis_factor;
   // FilmShear.
   double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
-  /// Points of half the ellipse if the ball spins, else of a quarter: p/p0 and weight of each ring,
-  /// sines and cosines of the angles, and the number of these parts in the whole ellipse.
+  /// Integration points of half the ellipse if the ball spins, else of a quarter: p/p0 and weight
+  /// of each ring, and sines and cosines of the angles. `copies` is the number of these halves or
+  /// quarters in the whole ellipse.
   std::size_t rings, angles;
   double s[most_kernel_rings], radius[most_kernel_rings], weight[most_kernel_rings];
   double cosine[most_kernel_angles], sine[most_kernel_angles];
   double copies;
 };
 
-/// Block of contacts computed in parallel. Speeds > 0, loads > 0.
+/// Inputs and results of contacts that are computed in parallel. Speeds and loads must be above 0.
 struct ContactBlock {
   // For each contact: Q [N], |u| [m/s], |ω_roll|, ω_s [rad/s]; for its oil: η [Pa s], α [1/Pa],
   // L/u² [s²/m²]; φ_rs [1].

@@ -8,13 +8,13 @@
 // Included by one source for each instruction set; each function is templated on its vector type.
 namespace raceway::friction::contact {
 
-/// Points in single precision, with y in units of a and x in units of b.
+/// Integration points in single precision, with y in units of a and x in units of b.
 struct KernelPoints {
   float y[most_kernel_rings][most_kernel_angles], x[most_kernel_rings][most_kernel_angles];
 };
 
-/// Intermediate state of a block: input of the sliding solution after the films. Speeds are in
-/// units of `unit_speed`, stresses in units of Eyring's stress, and lengths in units of a.
+/// Intermediate values of a block: input of the sliding solution after the film computation. Speeds
+/// are in units of `unit_speed`, stresses in units of Eyring's stress, and lengths in units of a.
 struct KernelSliding {
   alignas(64) double unit_speed[contacts_of_block], pull[contacts_of_block],
       press[contacts_of_block];
@@ -26,14 +26,14 @@ struct KernelSliding {
   alignas(64) float found[contacts_of_block];
 };
 
-/// Returns x^power for a number with known logarithm.
+/// Returns x^power for a number x with the logarithm `log_x`.
 template <class D>
 [[gnu::always_inline]] inline D power_of(const D& log_x, double power) {
   return exponential(log_x * power);
 }
 
-/// Computes films, rolling and hysteresis of the contacts from `at` on, and their shear at each
-/// pressure.
+/// Computes film, rolling and hysteresis of one vector of contacts from index `at`, and the shear
+/// law of each contact at each pressure.
 template <class D>
 void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& block,
              KernelSliding& sliding) {
@@ -120,7 +120,7 @@ void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& b
   }
 }
 
-/// Sums over the points of the contacts, at one v_x0 for each contact; `turn` is Σ (dτ/dv) v_x.
+/// Integrals over the points of each contact, at one v_x0 per contact; `turn` is Σ (dτ/dv) v_x.
 template <class F>
 struct KernelSums {
   F along, slope, force, power, turn, slip;
@@ -192,11 +192,11 @@ template <class F, bool film, bool asperities, bool spins>
   return total;
 }
 
-/// Solves Σ τ_x = 0 for each contact by Newton's method within a bracket. The search ends when
-/// |Σ τ_x| is at most 3e-4 Σ |τ|. The power is then corrected along its slope to the zero. The
-/// search also ends when the bracket is 5e-4 of the first one, because Σ τ_x jumps where points
-/// change their direction; there the power hardly depends on v_x0. If a step does not halve Σ τ_x,
-/// the chord of the bracket replaces the step, because the jumps are small compared with the chord.
+/// Solves Σ τ_x = 0 for each contact by Newton's method within a bracket. The search ends when |Σ
+/// τ_x| is at most 3e-4 Σ |τ|. The power is then extrapolated linearly to Σ τ_x = 0. The search
+/// also ends when the bracket is 5e-4 of its initial width, because Σ τ_x jumps where the slip of a
+/// point changes direction; there the power hardly depends on v_x0. If a Newton step does not halve
+/// Σ τ_x, the chord of the bracket replaces the step.
 template <class F, bool film, bool asperities, bool spins>
 void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   const F zero(0.0f);

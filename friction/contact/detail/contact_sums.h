@@ -6,8 +6,8 @@
 
 namespace raceway::friction::contact {
 
-/// Sums over the contacts of a bearing that a ContactResult needs in addition to the powers. For
-/// contact_law.cpp and many_contacts.cpp only.
+/// Sums over the contacts of a bearing that a ContactResult needs in addition to the powers. Only
+/// contact_law.cpp and many_contacts.cpp use it.
 struct ContactSums {
   double slip = 0.0, load = 0.0;
   double holding = unset, over_traction = unset;

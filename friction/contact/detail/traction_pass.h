@@ -22,8 +22,8 @@ struct CirclePoints {
   alignas(64) Real weight[most_rings], s[most_rings];
 };
 
-/// A slip field and the shear law at the pressure of each ring. Speeds are relative to the fastest
-/// slip, stresses to Eyring's stress, and lengths to a.
+/// Slip field of a contact, and its shear law at the pressure of each ring. Speeds are divided by
+/// the largest slip, stresses by Eyring's stress, and lengths by a.
 template <typename Real>
 struct RingStresses {
   Real differential, spin, width, film_share, small2;
@@ -40,12 +40,12 @@ struct PassSums {
   double along = 0.0, slope = 0.0, force = 0.0, power = 0.0, moment = 0.0, slip = 0.0;
 };
 
-/// Friction parts that a contact has.
+/// Friction mechanisms in a contact: film, asperities or both.
 enum class Rubbing { film, asperities, both };
 
 /// The kernels of one instruction set. `search` computes `along`, `slope` and `force` in single
-/// precision. `sum` computes all values in double precision, but its slope is only accurate enough
-/// for a search.
+/// precision. `sum` computes all values in double precision; its slope is only accurate enough for
+/// a search.
 struct TractionKernel {
   void (*stresses)(const CirclePoints<double>&, const RingPressures&, RingStresses<double>&,
                    RingStresses<float>&);

@@ -29,7 +29,7 @@ void stresses_in(const CirclePoints<double>& points, const RingPressures& p,
   }
 }
 
-/// Stress at a slip v = v2/|v| and its slope, for the friction parts of the contact.
+/// Shear stress at the slip speed v and its derivative, for the friction mechanisms of the contact.
 template <class V>
 struct Stress {
   V stress, tangent;

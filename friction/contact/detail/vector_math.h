@@ -9,7 +9,7 @@ namespace raceway::friction::contact {
 template <class V>
 inline constexpr bool is_double = sizeof(typename V::value_type) == 8;
 
-/// An estimate of 1/sqrt(x), to 12 bits or more.
+/// Returns an estimate of 1/sqrt(x), accurate to 12 bits or more.
 template <class V>
 [[gnu::always_inline]] inline V estimated_inverse_root(const V& x) {
 #ifdef __AVX512F__
@@ -23,8 +23,9 @@ template <class V>
     return xsimd::rsqrt(x);
 }
 
-/// 1/sqrt(x), x from 1e-36 to 1e36: an estimate of about 12 bits and Newton's method, which is
-/// faster than a root and a division. Accuracy 5e-7 in single precision, 1e-13 in double.
+/// Returns 1/sqrt(x) for x from 1e-36 to 1e36, by an estimate of about 12 bits and Newton's method,
+/// which is faster than a root and a division. The relative error is 5e-7 in single precision and
+/// 1e-13 in double.
 template <class V>
 [[gnu::always_inline]] inline V inverse_root(const V& x) {
   using Real = typename V::value_type;
@@ -35,7 +36,8 @@ template <class V>
   return r;
 }
 
-/// Exponent of x > 0, not denormal, and x divided by that power of two, from sqrt(1/2) to sqrt(2).
+/// Binary exponent of a normal number x > 0, and x divided by this power of two. The quotient
+/// `mantissa` is from sqrt(1/2) to sqrt(2).
 template <class V>
 struct Split {
   V exponent, mantissa;
