@@ -8,15 +8,16 @@
 
 namespace raceway::results {
 
-/// Result of learning from the readings of one displacement.
+/// Result of a correction of one displacement that learns from the readings.
 struct Learnt {
   const record::Channel* displacement = nullptr;
   correction::Learning learning{};
 };
 
-/// Returns the columns time_s, predicted_um and std_um. The prediction of a row uses only earlier
-/// readings. Rows with a reading also have residual_um and, in the column `reading`, "learnt" or
-/// "refused". For several displacements, the names are predicted_COLUMN and so on.
+/// Returns CSV with the columns time_s, predicted_um, std_um, residual_um and reading. The
+/// prediction in a row uses only earlier readings. Without a reading, the cells of residual and
+/// reading are empty. Otherwise `reading` is "learnt" or "refused". For several displacements, the
+/// column of the displacement replaces the unit: predicted_COLUMN.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
 /// Returns the document of `raceway correct --learn --json`.
