@@ -76,7 +76,7 @@ struct Crossing {
 
 /// Displacements and bearing loads of a shaft under a force.
 struct DeflectionResult {
-  double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
+  double speed = 0.0, force = unset, at = 0.0;  ///< speed [rad/s], force [N] and its position [m]
   bool axial = false;
   double axial_force = 0.0;  ///< additional axial force, positive towards the tool [N]
   /// Moment in the plane of the radial force, at the position `at` [N m]. A positive moment turns

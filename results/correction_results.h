@@ -55,10 +55,11 @@ struct Corrected {
   correction::Trust trust{};
 };
 
-/// Returns the columns time_s, predicted_um, band_low_um and band_high_um (if the band is known),
-/// the contribution of each channel, and residual_um (reading minus prediction; empty without
-/// reading). For several displacements, the column of the displacement replaces the unit:
-/// predicted_COLUMN, CHANNEL_COLUMN. For an angle, the unit is urad instead of um.
+/// Returns CSV with the columns time_s, predicted_um, band_low_um and band_high_um (if the band is
+/// known), the contribution of each channel, and residual_um (reading minus prediction; empty
+/// without reading). For several displacements, names end with the column of the displacement
+/// instead of the unit: predicted_COLUMN, CHANNEL_COLUMN. For an angle, the unit is urad instead of
+/// um.
 [[nodiscard]] std::string corrected_text(const record::Record& record,
                                          const std::vector<Corrected>& corrected);
 [[nodiscard]] std::string corrected_json(const std::string& model_file,

@@ -16,8 +16,8 @@ struct Learnt {
 
 /// Returns CSV with the columns time_s, predicted_um, std_um, residual_um and reading. The
 /// prediction in a row uses only earlier readings. Without a reading, the cells of residual and
-/// reading are empty. Otherwise `reading` is "learnt" or "refused". For several displacements, the
-/// column of the displacement replaces the unit: predicted_COLUMN.
+/// reading are empty. Otherwise `reading` is "learnt" or "refused". For several displacements,
+/// names end with the column of the displacement instead of the unit: predicted_COLUMN.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
 /// Returns the document of `raceway correct --learn --json`.

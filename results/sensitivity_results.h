@@ -31,7 +31,7 @@ struct LocalSensitivity {
   double derivative_error = unset;   ///< |derivative - difference quotient with step h/2|
   double change = unset;             ///< derivative times spread
   double low = unset, high = unset;  ///< predictions at value - spread and at value + spread
-  double share = unset;              ///< share of the sum of squared changes [1]
+  double share = unset;              ///< `change` squared / sum of squared changes of all data [1]
   /// Relative change of the prediction per relative change of the datum [1].
   double elasticity = unset;
   /// `kink` is true if the slopes below and above the value differ. `steps_disagree` is true if the

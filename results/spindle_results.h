@@ -102,7 +102,7 @@ struct RunColumn {
                                              std::string_view name);
 
 /// Returns the temperatures of all cells of a spindle as JSON. A later simulation can start from
-/// this file.
+/// these temperatures.
 [[nodiscard]] std::string spindle_state_json(const model::Model& model,
                                              const spindle::State& state);
 /// Reads a state from a file that contains the text of spindle_state_json(). Throws InputError if

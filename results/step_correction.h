@@ -27,7 +27,7 @@ struct PowerAtSpeed {
 /// Values that a correction needs in addition to the step responses.
 struct StepCorrectionParts {
   std::string name = {};                              ///< name of the model
-  std::vector<PowerAtSpeed> power = {};               ///< in order of rising speed
+  std::vector<PowerAtSpeed> power = {};               ///< in ascending order of speed
   std::optional<shaft::KinematicLaw> kinematic = {};  ///< kinematic law; empty: none
   StepLaw law = StepLaw::curve;
   bool two_lags = false;  ///< true: two delay elements, fast and slow

@@ -135,7 +135,7 @@ class CondensedBeam {
  public:
   CondensedBeam(const Beam& beam, std::vector<std::size_t> nodes);
   [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-  /// Returns (v, θ) of all nodes. `few` contains (v, θ) of the remaining nodes.
+  /// Returns (v, θ) of all nodes. `few` contains (v, θ) of the nodes of the reduced beam.
   [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& few) const;
 
  private:

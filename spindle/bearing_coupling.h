@@ -23,10 +23,10 @@ namespace raceway::spindle {
 ///
 ///   T_s = a + w/S,   Q = G (T_si - T_so),   w_i = q_i - Q,   w_o = q_o + Q
 ///
-/// S is the conductance between the raceway and its cells, and G is the conductance through the
-/// balls. The function bear() computes the bearing loads from radial loads on the shaft with a beam
-/// model. These bearing loads are constant between two calls of bear(). The elongation is in um so
-/// that all elements of s have similar size.
+/// S is the conductance between the raceway and its cells, w is the heat into these cells, and G is
+/// the conductance through the balls. The function bear() computes the bearing loads from radial
+/// loads on the shaft with a beam model. These bearing loads are constant between two calls of
+/// bear(). The elongation is in um so that all elements of s have similar size.
 class BearingCoupling {
  public:
   BearingCoupling(const model::Model& model, const effects::SpindleCondition& condition,

@@ -11,11 +11,11 @@ namespace raceway::spindle {
 /// the heat capacities and G the thermal conductances.
 ///
 /// A is factorised as L D Lᵀ. The constructor finds an order of the bodies in which L has few
-/// elements. Forward and back substitution are separate functions, because
+/// elements. Forward and back substitution are separate functions. The product
 ///
 ///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)
 ///
-/// needs only forward substitutions, and these are short if u is not zero for only a few bodies.
+/// needs only forward substitutions, which are short if only a few elements of u are not zero.
 /// Accuracy: rounding errors only; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:

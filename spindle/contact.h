@@ -56,8 +56,8 @@ inline constexpr double gap_conductivity = 0.027;
   return conductivity / (3.0 * roughness + std::max(gap, 0.0));
 }
 
-/// Returns the thermal conductance of a seat, with contact spots and air gap in parallel [W/(m²
-/// K)]. A tight seat has the gap 0 m, and a loose seat has the pressure 0 Pa.
+/// Returns the thermal conductance of a seat [W/(m² K)], with contact spots and air gap in
+/// parallel. A tight seat has the gap 0 m, and a loose seat has the pressure 0 Pa.
 [[nodiscard]] inline double seat_conductance(const RoughContact& c, double pressure, double gap) {
   return solid_contact(c, pressure) + gas_gap(c.roughness, gap);
 }

@@ -16,13 +16,14 @@ enum class NewtonStatus { converged, no_balance, diverged };
 ///   s = F A⁻¹ r + s0 + M y(s),   M = F A⁻¹ P
 ///
 /// This elimination of the cells is Woodbury's identity. Derivatives with respect to cell
-/// temperatures are not needed. With Φ = L⁻¹ Fᵀ and Π = L⁻¹ P, whose columns are columns of Φ,
+/// temperatures are not needed. F A⁻¹ r and M need only forward substitutions, with Φ = L⁻¹ Fᵀ and
+/// Π = L⁻¹ P, whose columns are columns of Φ:
 ///
 ///   F A⁻¹ r = Φᵀ D⁻¹ L⁻¹ r,   M = Φᵀ D⁻¹ Π
 ///
-/// need only forward substitutions. Only T needs a back substitution. The solver keeps the Jacobian
-/// dy/ds between time steps and updates it after each Newton step (Broyden 1965). If convergence is
-/// slow, the solver computes the Jacobian again.
+/// Only T needs a back substitution. The solver keeps the Jacobian dy/ds between time steps and
+/// updates it after each Newton step (Broyden 1965). If convergence is slow, the solver computes
+/// the Jacobian again.
 class CoupledNewton {
  public:
   CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling);

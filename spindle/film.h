@@ -25,8 +25,8 @@ struct FluidProperties {
 ///
 ///   μ = 1.458e-6 T^1.5/(T + 110.4),   λ = 2.64638e-3 T^1.5/(T + 245.4 10^(-12/T))
 ///
-/// Source:   Sutherland's forms with the constants of the US Standard Atmosphere 1976; ideal gas, c
-///           = 1006 J/(kg K).
+/// Source:   Sutherland's formulas with the constants of the US Standard Atmosphere 1976; ideal
+///           gas, c = 1006 J/(kg K).
 /// Domain:   T from 200 to 600 K. Outside this range, the nearer limit replaces T.
 /// Accuracy: 1 % for viscosity and conductivity, 0.5 % for the heat capacity c below 400 K.
 [[nodiscard]] inline FluidProperties air_properties(double temperature) {
@@ -141,7 +141,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 }
 
 /// Returns the thermal conductance of the gap δ between a rotating and a fixed cylinder [W/(m² K)].
-/// It is the heat flow per kelvin between both surfaces and per area at the mean radius.
+/// The conductance is the heat flow between both surfaces per kelvin and per area at the mean
+/// radius.
 ///
 ///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 above 1700,   0.409 Ta^0.241 above 1e4
 ///
@@ -231,7 +232,7 @@ struct Channel {
   [[nodiscard]] double reynolds(double flow, const FluidProperties& fluid) const {
     return flow / section * hydraulic_diameter / fluid.kinematic_viscosity;
   }
-  /// Returns the heat transfer coefficient at the walls of the channel for a flow [W/(m² K)].
+  /// Returns the heat transfer coefficient at the channel walls for a flow in m³/s [W/(m² K)].
   [[nodiscard]] double film(double flow, const FluidProperties& fluid) const {
     return channel_nusselt(reynolds(flow, fluid), fluid.prandtl, hydraulic_diameter / length) *
            fluid.conductivity / hydraulic_diameter;

@@ -56,17 +56,17 @@ struct LagAt {
 /// Traps:    a straight line is only a chord of the true curve. K(0) of the line has no physical
 ///           meaning, and T of the line may become zero.
 struct PowerLaws {
-  StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
+  StraightLine gain_line = {}, time_line = {};  ///< slopes [m/W], [s/W]; offsets [m], [s]
   PowerLaw gain_power = {}, time_power = {};    ///< NaN if a P is not above 0 or if signs differ
-  /// Range of P, from 0 or more, in which the gain line has the sign of the gains and the time line
-  /// is positive [W]. `valid_to` may be infinite.
+  /// Range of P >= 0 in which the gain line has the sign of the gains and the time line is
+  /// positive [W]. `valid_to` may be infinite.
   double valid_from = unset, valid_to = unset;
 };
 
 /// Fits laws over the power loss to points in any order. Throws std::invalid_argument for a
 /// negative power and for a value that is not finite.
 [[nodiscard]] PowerLaws fit_power_laws(std::span<const LagAt> points);
-/// Fits laws over a load, which may be positive or negative. `input` replaces P.
+/// Fits laws over a load, which may be positive or negative. The load replaces P in the laws.
 [[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
 /// Returns a curve of the gain K through all points and through K(0) = 0. Points with equal power

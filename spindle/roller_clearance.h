@@ -21,7 +21,7 @@ struct RollerSeats {
 /// Temperature rises above the mounting temperature [K].
 struct RollerTemperatures {
   double shaft = 0.0, inner_ring = 0.0, outer_ring = 0.0, housing = 0.0;
-  double rollers = unset;  ///< NaN: mean of the rings
+  double rollers = unset;  ///< NaN: mean of both rings
 };
 
 /// Clearance of a cylindrical roller bearing in operation.
@@ -38,10 +38,11 @@ struct OperatingClearance {
 ///
 ///   s = s0 - 2 u_i + 2 u_o - 2 α D ΔT(rollers)
 ///
-/// s0 is the given clearance, and D is the roller diameter. press_fit() gives the growths u_i and
-/// u_o of the raceways. Each ring is a plain sleeve between its seat and its raceway (diameter d_m
-/// ∓ D). With ClearanceState::free, u is the growth relative to the bearing before mounting. With
-/// ClearanceState::mounted, u is the growth relative to the cold seat at standstill.
+/// s0 is the given clearance. D, α and ΔT are diameter, thermal expansion and temperature rise of
+/// the rollers. press_fit() gives the growths u_i and u_o of the raceways. Each ring is a plain
+/// sleeve between its seat and its raceway (diameter d_m ∓ D). With ClearanceState::free, u is the
+/// growth relative to the bearing before mounting. With ClearanceState::mounted, u is the growth
+/// relative to the cold seat at standstill.
 /// Source:   derived from Lamé's equations as in press_fit(), and compared with a numerical
 ///           solution of the boundary value problem of the seats.
 /// Domain:   the bore must be given. If there is a housing, the outer diameter must also be given.

@@ -14,7 +14,7 @@ namespace raceway::spindle {
 
 /// Bearing sets of a spindle at one speed, as supports of the shaft beam.
 struct SetsAtSpeed {
-  Status status = Status::not_run;  ///< no_equilibrium: the sets or a single bearing have none
+  Status status = Status::not_run;  ///< no_equilibrium if the sets or a bearing have no equilibrium
   std::string message = {};
   /// Includes ring growth by speed and, if warm, by heat.
   bearing::ArrangementCondition condition = {};

@@ -86,7 +86,7 @@ struct Moment {
   double time = unset;          ///< [s]
   double displacement = unset;  ///< displacement of the nose face relative to the flange, positive
                                 ///< towards the tool [m]
-  /// Displacement of the cold bearing sets at this speed and axial load [m].
+  /// Displacement of the shaft with cold bearing sets at this speed and axial load [m].
   double kinematic_displacement = unset;
   /// Displacement of the shaft in its bearing sets since cold standstill [m].
   double set_position = unset;
@@ -218,10 +218,10 @@ class Simulator {
   /// object use the same flag. A null pointer switches the check off.
   void stop_on(const std::atomic<bool>* cancelled);
   /// Simulates a speed programme from the state `start`. If `start` is null, all cells start at the
-  /// ambient temperature. `step_ends` contains the step ends of an earlier run of this programme
-  /// [s]: the step sizes then do not depend on the parameters of a fit. If `step_ends` is empty,
-  /// the simulator chooses the step sizes. `keep` lists increasing times [s]. For each time in
-  /// `keep`, Run::kept contains the state at the end of the first step that reaches the time.
+  /// ambient temperature. `step_ends` contains the step ends of an earlier run of this
+  /// programme [s]. The step sizes then do not depend on the parameters of a fit. If `step_ends` is
+  /// empty, the simulator chooses the step sizes. `keep` lists increasing times [s]. For each time
+  /// in `keep`, Run::kept contains the state at the end of the first step that reaches the time.
   /// Throws std::invalid_argument if `start` belongs to another mesh.
   [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
                              std::span<const double> step_ends = {},
