@@ -39,9 +39,9 @@ class CoupledNewton {
   [[nodiscard]] Vector solve_linear(const Vector& right) const { return solver_.solve(right); }
   /// Discards the Jacobian dy/ds. Call this function after a change of speed or load.
   void forget_derivatives() { known_ = false; }
-  /// Returns the largest real gain of the feedback loop heat -> temperature -> preload -> heat at s
-  /// = `felt` [1]. A gain of 1 or more means thermal runaway. NaN without bearings, or if a shifted
-  /// s has no equilibrium.
+  /// Returns the largest real gain of the feedback loop heat -> temperature -> preload -> heat at
+  /// s = `felt` [1]. A gain of 1 or more means thermal runaway. NaN without bearings, or if a
+  /// shifted s has no equilibrium.
   [[nodiscard]] double gain(const Vector& felt, const Vector& given);
 
  private:

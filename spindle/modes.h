@@ -19,8 +19,8 @@ enum class Whirl { backward, standing, forward };
 struct Mode {
   double frequency = unset;  ///< undamped angular frequency [rad/s]
   Whirl whirl = Whirl::standing;
-  /// Amplitudes (v, θ) of all nodes in the planes of y and z. The motion is v_y = y cos ωt and v_z
-  /// = z sin ωt. The largest displacement amplitude of a node in one plane is 1.
+  /// Amplitudes (v, θ) of all nodes in the planes of y and z. The motion is v_y = y cos ωt and
+  /// v_z = z sin ωt. The largest displacement amplitude of a node in one plane is 1.
   Eigen::VectorXd y, z;
 };
 

@@ -49,8 +49,8 @@ struct StepFit {
 ///           is not finite, for a negative time, and if all displacements are zero.
 [[nodiscard]] StepFit fit_step(std::span<const double> time, std::span<const double> displacement);
 
-/// Returns the time constants T_k of one or two lags with known gains K_k that decay to zero from t
-/// = 0 [s].
+/// Returns the time constants T_k of one or two lags with known gains K_k that decay to zero from
+/// t = 0 [s].
 ///
 ///   u(t) = Σ K_k exp(-t/T_k)
 ///
