@@ -15,9 +15,10 @@ struct Learnt {
 };
 
 /// Returns CSV with the columns time_s, predicted_um, std_um, residual_um and reading. The
-/// prediction in a row uses only earlier readings. Without a reading, the cells of residual and
-/// reading are empty. Otherwise `reading` is "learnt" or "refused". For several displacements,
-/// names end with the column of the displacement instead of the unit: predicted_COLUMN.
+/// prediction in a row uses only earlier readings. residual_um is empty in rows without a reading.
+/// `reading` is "learnt" or "refused" in rows whose reading was offered for learning, otherwise
+/// empty. For several displacements, names end with the column of the displacement instead of the
+/// unit: predicted_COLUMN.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
 /// Returns the document of `raceway correct --learn --json`.
