@@ -14,24 +14,26 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// Page of a record over time. The page shows measured and predicted values with the inputs below,
-/// the contribution of each channel, the residual, step responses, and the error of each model or
-/// effect.
+/// Writes HTML pages of a record over time. A page shows measured and predicted values, the inputs,
+/// the contribution of each channel of a correction, the residual, step responses, and the error of
+/// each model or effect.
 namespace raceway::report {
 
-/// A model for the pictures: a correction, or a spindle with each measured channel.
+/// Model whose predictions the page draws: a correction, or a spindle with all measured channels.
 struct DrawnModel {
-  std::string name{};                             ///< name for readers
-  std::shared_ptr<const fit::Subject> subject{};  ///< a correction is aligned with the record
-  std::vector<fit::HeldOutReading> held_out{};    ///< readings that a fit held out
-  std::vector<files::UsedDefault> defaults{};     ///< defaults that the model file used
+  std::string name{};  ///< name on the page
+  /// Predicting model; a correction is already aligned with the record.
+  std::shared_ptr<const fit::Subject> subject{};
+  std::vector<fit::HeldOutReading> held_out{};  ///< readings left out of a fit, and their errors
+  std::vector<files::UsedDefault> defaults{};   ///< defaults that the model file used
   std::vector<double> tolerances{};  ///< for a spindle: tolerance of each measured channel [SI]
 };
 
-/// Returns the page with the document that `command` prints with `--json`. Models of the same
-/// channel share the readings of this channel. The page shows the eight held-out parts for the
-/// first model of each channel. `facts` describe spindles. `changes` are the differences between
-/// each spindle model and the next one.
+/// Returns the HTML page for `results`, the JSON document that `command` prints with `--json`.
+/// Models of one measured channel share its readings. For the first model of each channel, the page
+/// marks the parts of the record that were held out in turn. `facts` lists law, oil and defaults of
+/// spindle models. `changes` contains the differences between each spindle model and the next
+/// model.
 [[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
                                         const record::Record& record,
                                         const std::vector<DrawnModel>& models,

@@ -18,25 +18,25 @@
 #include "verdict/compare.h"
 #include "verdict/diagnosis.h"
 
-/// Writes results as one HTML page with pictures. The page needs no network. The page contains the
-/// document that `--json` prints, the data of the pictures, and the script that draws the pictures
-/// (report/page/). Equal results give identical files. If there are several measured channels, the
-/// page draws the first one.
+/// Writes results as one HTML page with pictures. The page works without internet access. The page
+/// contains the JSON document that `--json` prints, the values in the pictures, and the script that
+/// draws the pictures (report/page/). Equal results give identical files. If there are several
+/// measured channels, the page draws only the first channel.
 namespace raceway::report {
 
-/// Returns false in a program that was built with -DRACEWAY_REPORT=OFF. The functions below then
-/// throw InputError.
+/// Returns false in a program that was built with -DRACEWAY_REPORT=OFF. All functions that return a
+/// page then throw InputError.
 [[nodiscard]] bool report_available();
 
-/// A model whose law, factors, oil and defaults the page shows.
+/// Model whose friction law, factors, oil and defaults the page shows.
 struct ModelOfPage {
   std::string file;
-  model::Model model;  ///< the model that was used
+  model::Model model;  ///< model as used in the calculation
   std::vector<files::UsedDefault> defaults;
 };
 
-/// Returns the page that compares models with a record, in the given order of the models. `facts`
-/// may be empty, here and in the functions below.
+/// Returns the page that compares models with a record. The page keeps the order of the models.
+/// `facts` may be empty in all functions of this header.
 [[nodiscard]] std::string comparison_report(
     const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
@@ -53,35 +53,35 @@ struct ModelOfPage {
                                      const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
-/// Operating points of a bearing with the predictions for them. The page draws these points in
-/// addition to the curves.
+/// Operating points of a bearing with the friction predictions for them. A page draws these points
+/// in addition to the curves of a table.
 using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
-/// Returns the page of a table. `measured` may be null. The measured friction torque is the sum of
-/// all bearings of the rig.
+/// Returns the page of a friction table. `measured` contains friction torques for comparison, or is
+/// null. A measured friction torque is the sum over all bearings of the rig.
 [[nodiscard]] std::string table_report(const std::string& model_file, const model::Model& model,
                                        const friction::StribeckTable& table,
                                        const BearingStates& states, const record::Record* measured,
                                        const std::vector<ModelOfPage>& facts = {},
                                        const std::vector<std::string>& warnings = {});
 
-/// The fitted law of a shaft's displacement, or the reason why there is none.
+/// Fitted law of the shaft displacement over speed, or the reason why there is no fit.
 struct LawOfReport {
   std::optional<shaft::KinematicLawFit> fit;
   std::string statement;  ///< quality of the fit, or the reason why there is no fit
 };
 
-/// Returns the page of displacement over speed. `warnings` are the warnings of the command about
-/// bearings, speeds without equilibrium and exceeded limits. `findings` contains the exceeded
-/// limits as data.
+/// Returns the page of the shaft displacement over speed. `warnings` contains texts about bearings,
+/// speeds without equilibrium, and exceeded limits. `findings` contains the exceeded limits with
+/// their values.
 [[nodiscard]] std::string displacement_report(
     const std::string& model_file, const model::Model& model,
     std::span<const shaft::ShaftPoint> points, std::span<const shaft::ShaftPrediction> predictions,
     const LawOfReport& law, const std::vector<std::string>& warnings,
     const std::vector<ModelOfPage>& facts = {}, const model::Findings& findings = {});
 
-/// Returns the page that contains a document. The function escapes `<`, `>` and `&` in the JSON
-/// text, because `</script>` in a text would end the data too early.
+/// Returns the HTML page that contains the report document `document`, a JSON text. The function
+/// escapes `<`, `>` and `&` in the JSON text, because `</script>` would end the document too early.
 [[nodiscard]] std::string report_page(const std::string& document);
 
 }  // namespace raceway::report

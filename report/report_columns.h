@@ -6,23 +6,25 @@
 
 namespace raceway::report {
 
-/// Rows of numbers for the pictures of a report, column by column, as compact JSON. Numbers have
-/// seven digits. A column with the same value in all rows is written as `constant` with this value,
-/// instead of `values`. Unknown numbers are null.
+/// Table of numbers for the pictures of a report, written column by column as compact JSON. Numbers
+/// have seven significant digits. A column with the same value in all rows has the member
+/// `constant` instead of `values`. Unknown numbers are null.
 ///
-/// If there are more than `most_rows` rows or `most_numbers` numbers, rows are omitted. Rows at
-/// equal distances and the rows that keep() names remain.
+/// If there are more than `most_rows` rows, or more than `most_numbers` numbers in columns that
+/// vary, rows are omitted. Evenly spaced rows and the rows of keep() remain.
 class ReportColumns {
  public:
   explicit ReportColumns(std::size_t rows) : rows_(rows) {}
 
-  /// Adds `values` of all rows, in the unit at the end of `name`.
+  /// Adds a column with one value for each row, in the unit at the end of `name`. Throws
+  /// std::invalid_argument if the number of values differs from the number of rows.
   void add(std::string name, std::vector<double> values);
   /// Keeps this row even if other rows are omitted.
   void keep(std::size_t row) { wanted_.push_back(row); }
-  /// Keeps the rows with the highest and lowest `values` in each of 500 sections of equal length.
+  /// Keeps the rows with the highest and the lowest of `values` in each of 500 consecutive sections
+  /// with nearly equal numbers of rows.
   void keep_extremes(const std::vector<double>& values);
-  /// Adds a column for a curve over time and keeps the rows with its extremes.
+  /// Adds a column for a curve over time, and keeps its extremes by keep_extremes().
   void add_course(std::string name, std::vector<double> values) {
     keep_extremes(values);
     add(std::move(name), std::move(values));

@@ -4,8 +4,8 @@
 
 namespace raceway::report {
 
-/// Returns the page of report/page/, bundled at build time, with a placeholder for the document.
-/// The text is empty in a program that was built with -DRACEWAY_REPORT=OFF.
+/// Returns the HTML text of report/page/, bundled at build time, with a placeholder for the report
+/// document. The text is empty in a program that was built with -DRACEWAY_REPORT=OFF.
 [[nodiscard]] std::string_view report_template();
 
 }  // namespace raceway::report

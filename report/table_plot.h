@@ -7,10 +7,11 @@
 
 namespace raceway::report {
 
-/// Returns the friction torque over speed as an SVG picture. The picture has a curve for each axial
-/// load. If there is only one load, the picture has a curve for each temperature. All other axes
-/// are fixed at their first value. A point without a value is a gap in the curve. Throws InputError
-/// if no point has a value, and for a slab.
+/// Returns the friction torque of a table over speed as an SVG picture. The picture has a curve for
+/// each axial load. If the table has only one axial load, the picture has a curve for each
+/// temperature. All other variables have their first value. A point without a torque is a gap in
+/// the curve. Throws InputError if no point has a torque above 0, and if the table is one of
+/// several slabs.
 [[nodiscard]] std::string table_svg(const friction::StribeckTable& table, std::string_view title);
 
 }  // namespace raceway::report

@@ -5,12 +5,12 @@
 
 namespace raceway::results {
 
-/// Uncertainty of result rows from fitted parameters: half widths of 95 % bands (model::Band), with
-/// the names of their columns.
+/// Half widths of the 95 % bands of results (model::Band), which come from the uncertainty of
+/// fitted parameters.
 struct BandOfResult {
   std::vector<std::string> parameters;  ///< names of the fitted parameters
-  std::vector<std::string> names;       ///< names with unit: "friction_torque_band_Nmm"
-  std::vector<double> half_widths;      ///< row by row, in the order of the names [SI]
+  std::vector<std::string> names;   ///< column names with unit, such as "friction_torque_band_Nmm"
+  std::vector<double> half_widths;  ///< one row after another, in the order of `names` [SI]
 };
 
 }  // namespace raceway::results

@@ -14,54 +14,57 @@
 #include "spindle/sets_at_speed.h"
 #include "spindle/unbalance.h"
 
-/// Writes results for a shaft, modelled as a beam on its bearings, as CSV and JSON, with units in
-/// the keys (docs/files.md). Values without an equilibrium are empty or null.
+/// Writes results for a shaft on its bearings, which is modelled as a beam, as CSV and JSON. The
+/// names contain the units (docs/files.md). Without equilibrium, values are empty in CSV and null
+/// in JSON.
 namespace raceway::results {
 
-/// Modes at one speed, and the bearing sets that support the shaft at this speed.
+/// Modes of the shaft at one speed, and the bearings that support the shaft at this speed.
 struct ModesAtSpeed {
   double speed = unset;  ///< [rad/s]
   spindle::SetsAtSpeed sets;
   std::vector<spindle::Spring> springs;
-  /// shaft under its constant loads, as DeflectionResult::unloaded
+  /// Equilibrium of the shaft under its constant loads, if a belt bends the shaft or roller
+  /// bearings support it.
   std::optional<spindle::LoadedShaft> shaft = {};
   std::vector<std::string> roller_names = {};
   spindle::Modes modes;
   /// Frequencies of all bearings by name, per revolution of the shaft.
   std::vector<std::pair<std::string, bearing::BearingFrequencies>> rolling = {};
-  double damping_ratio = unset;             ///< damping ratio as entered [1]
-  std::optional<spindle::Orbit> nose = {};  ///< path of the nose under the requested unbalance
+  double damping_ratio = unset;             ///< damping ratio that the user gives [1]
+  std::optional<spindle::Orbit> nose = {};  ///< orbit of the nose under the given unbalance
   [[nodiscard]] bool converged() const { return sets.converged() && modes.converged(); }
   /// Returns "converged", or the reason why sets or modes failed.
   [[nodiscard]] std::string status() const;
 };
 
-/// Intersection of a mode with an excitation proportional to the speed.
+/// Intersection of a natural frequency with an excitation frequency, which is a multiple of the
+/// speed.
 struct Crossing {
   std::string
       excitation;        ///< "1x", "2x", "front_1 cage", "front_1 outer race", "rear_1 inner race"
-  std::size_t mode = 0;  ///< number of the mode in its direction; the lowest is 1
+  std::size_t mode = 0;  ///< number of the mode in its whirl direction; the lowest is 1
   spindle::Whirl whirl = spindle::Whirl::forward;
   double speed = unset, frequency = unset;  ///< [rad/s]
 };
 
 /// Returns the intersections of every mode with the excitations once and twice per revolution, and
-/// with the frequencies of cage, outer and inner race of every bearing. The intersections are
-/// interpolated linearly between the speeds and are in order of rising speed. Modes without a whirl
-/// direction (standing) count alternately as backward and forward.
+/// with the cage, outer race and inner race frequencies of every bearing. The intersections are
+/// interpolated linearly between the speeds, and are in ascending order of speed. Modes without
+/// whirl (standing) are treated alternately as backward and forward.
 [[nodiscard]] std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds);
 
-/// Returns a Campbell diagram with the columns speed_rpm, mode, frequency_Hz, whirl, damping_ratio
-/// (as entered, otherwise empty), front_force_N, rear_force_N, stiffness of each side and each
+/// Returns a Campbell diagram as CSV with the columns speed_rpm, mode, frequency_Hz, whirl,
+/// damping_ratio (empty if not given), front_force_N, rear_force_N, stiffness of each side and each
 /// bearing, ring temperatures of warm sets, clearance and force of roller bearings, frequencies of
-/// each bearing, the path of the nose if there is an unbalance, and status. The diagram has one row
-/// for each mode, and one row without a mode for a speed without modes.
+/// each bearing, the orbit of the nose if an unbalance is given, and status. Each mode at each
+/// speed has a row. A speed without modes has one row with empty mode columns.
 [[nodiscard]] std::string campbell_text(const bearing::Arrangement& arrangement,
                                         const std::vector<ModesAtSpeed>& speeds,
                                         std::string_view source, std::string_view model_text);
 
-/// Returns the columns speed_rpm, mode, frequency_Hz, whirl, position_mm, y_amplitude, z_amplitude;
-/// the largest amplitude is 1.
+/// Returns the mode shapes as CSV with the columns speed_rpm, mode, frequency_Hz, whirl,
+/// position_mm, y_amplitude and z_amplitude. The largest amplitude of each mode is 1.
 [[nodiscard]] std::string mode_shapes_text(const spindle::Beam& beam,
                                            const std::vector<ModesAtSpeed>& speeds,
                                            std::string_view source, std::string_view model_text);
@@ -71,39 +74,40 @@ struct Crossing {
                                         std::string_view source,
                                         const model::Findings& findings = {});
 
-/// Result for the shaft under a force.
+/// Displacements and bearing loads of a shaft under a force.
 struct DeflectionResult {
-  double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
+  double speed = 0.0, force = unset, at = 0.0;  ///< speed [rad/s], force [N] and its position [m]
   bool axial = false;
-  double axial_force = 0.0;  ///< in addition to a radial force, positive towards the tool [N]
-  /// Moment in the plane of the radial force and at the same place [N m]. A positive moment turns
+  double axial_force = 0.0;  ///< additional axial force, positive towards the tool [N]
+  /// Moment in the plane of the radial force, at the position `at` [N m]. A positive moment turns
   /// the shaft like a positive force that acts further forward.
   double moment = 0.0;
-  spindle::SetsAtSpeed sets;   ///< state without the force
-  spindle::LoadedShaft shaft;  ///< state under the force; not run if the sets have no equilibrium
-  /// State without the force, if a belt bends the shaft or rollers support it.
+  spindle::SetsAtSpeed sets;   ///< bearing sets without the force
+  spindle::LoadedShaft shaft;  ///< equilibrium under the force; not run if the sets have none
+  /// Equilibrium without the force, if a belt bends the shaft or roller bearings support it.
   std::optional<spindle::LoadedShaft> unloaded = {};
   std::vector<std::string> roller_names = {};
-  double displacement = unset;  ///< displacement at the force, in the direction of the force [m]
+  double displacement = unset;  ///< displacement at the force, in its direction [m]
   double nose = unset;          ///< displacement of the nose face in the direction of the force [m]
   double slope = unset;         ///< slope of the section at the nose [rad]
-  double tangent = unset;       ///< displacement at the force with the stiffness before loading [m]
+  double tangent = unset;  ///< displacement at the force with bearing stiffness before loading [m]
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
   [[nodiscard]] std::string status() const;
-  /// Returns the stiffness for a single force [N/m]; NaN for several loads.
+  /// Returns force divided by displacement at the force [N/m]; NaN for several loads.
   [[nodiscard]] double stiffness() const {
     return axial_force == 0.0 && moment == 0.0 ? force / displacement : unset;
   }
 };
 
-/// Returns "1000 N radial, -200 N axial, 50 N m".
+/// Returns the loads as text, such as "1000 N radial, -200 N axial, 50 N m".
 [[nodiscard]] std::string load_words(const DeflectionResult& result);
 
 [[nodiscard]] std::string deflection_json(const bearing::Arrangement& arrangement,
                                           const DeflectionResult& result, std::string_view source,
                                           const model::Findings& findings = {});
 
-/// Returns the bending line of the shaft: position_mm, radial_displacement_um, slope_urad.
+/// Returns the bending line of the shaft as CSV with the columns position_mm,
+/// radial_displacement_um and slope_urad.
 [[nodiscard]] std::string deflection_text(const spindle::Beam& beam, const DeflectionResult& result,
                                           std::string_view source, std::string_view model_text);
 

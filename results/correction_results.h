@@ -13,11 +13,11 @@
 
 namespace raceway::results {
 
-/// Errors of a model on a record that its fit did not use.
+/// Errors of a correction model on a record that its fit did not use.
 struct Validation {
   std::string data{};             ///< file of the record
-  correction::Metrics metrics{};  ///< errors after subtracting one constant
-  double uncorrected = unset;     ///< rms of the readings after subtracting one constant [m]
+  correction::Metrics metrics{};  ///< errors after subtraction of a constant
+  double uncorrected = unset;     ///< RMS of the readings after subtraction of a constant [m]
   std::size_t rows_beyond_range = 0;
 };
 
@@ -34,29 +34,32 @@ struct Validation {
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// Returns the errors of a comparison, computed by the definitions that papers use.
+/// Returns RMS, mean absolute and largest error and the other values of correction::Metrics for a
+/// comparison.
 [[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
-/// Result of a correction on a record.
+/// Predicted displacement of a correction for a record, with errors and uncertainty.
 struct Corrected {
   const record::Channel* displacement = nullptr;
   correction::InitialState initial_state = correction::InitialState::rest;
   std::vector<double> predicted{};  ///< [m]
   std::vector<correction::Contribution> parts{};
-  correction::Metrics metrics{};  ///< errors after subtracting one constant; empty without readings
+  /// Errors after subtraction of a constant; no value without readings.
+  correction::Metrics metrics{};
   correction::Beyond beyond{};
-  std::vector<double> band{};  ///< half width of the band [m]; empty if unknown
+  std::vector<double> band{};  ///< half width of the 95 % band in each row [m]; empty if unknown
   double noise = unset;        ///< noise of a single reading [m]
-  /// Share of the readings within the band that is widened by the noise of the readings, after
-  /// subtracting one constant as in the metrics.
+  /// Share of the readings inside the band, after subtraction of the constant as in `metrics` [1].
+  /// For this comparison, the band is widened by the noise of the readings.
   double readings_in_band = unset;
   correction::Trust trust{};
 };
 
-/// Returns the columns time_s, predicted_um, band_low_um and band_high_um (if the band is known),
-/// the contribution of each channel, and residual_um for rows with a reading. For several
-/// displacements, the names are predicted_COLUMN and CHANNEL_COLUMN. The columns of an angle have
-/// urad in place of um.
+/// Returns CSV with the columns time_s, predicted_um, band_low_um and band_high_um (if the band is
+/// known), the contribution of each channel, and residual_um (reading minus prediction; empty
+/// without reading). For several displacements, names end with the column of the displacement
+/// instead of the unit: predicted_COLUMN, CHANNEL_COLUMN. For an angle, the unit is urad instead of
+/// um.
 [[nodiscard]] std::string corrected_text(const record::Record& record,
                                          const std::vector<Corrected>& corrected);
 [[nodiscard]] std::string corrected_json(const std::string& model_file,

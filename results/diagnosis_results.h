@@ -5,7 +5,7 @@
 #include "verdict/add.h"
 #include "verdict/diagnosis.h"
 
-/// Writes results of diagnose and add as JSON documents (docs/files.md); see results.h.
+/// Writes results of `raceway diagnose` and `raceway add` as JSON documents (docs/files.md).
 namespace raceway::results {
 
 [[nodiscard]] std::string diagnosis_json(const std::string& model_file,

@@ -5,10 +5,10 @@
 
 #include "shaft/fit_kinematic_law.h"
 
-/// Writes the fit of the kinematic law as a JSON document (docs/files.md); see results.h.
+/// Writes the fit of the law of kinematic displacement as a JSON document (docs/files.md).
 namespace raceway::results {
 
-/// Value of the law at one requested speed.
+/// Displacement by the fitted law at one speed.
 struct LawAtSpeed {
   double speed;  ///< [rad/s]
   shaft::KinematicDisplacement value;

@@ -8,15 +8,17 @@
 
 namespace raceway::results {
 
-/// Result of learning from the readings of one displacement.
+/// Result of a correction of one displacement that learns from the readings.
 struct Learnt {
   const record::Channel* displacement = nullptr;
   correction::Learning learning{};
 };
 
-/// Returns the columns time_s, predicted_um and std_um. The prediction of a row uses only earlier
-/// readings. Rows with a reading also have residual_um and, in the column `reading`, "learnt" or
-/// "refused". For several displacements, the names are predicted_COLUMN and so on.
+/// Returns CSV with the columns time_s, predicted_um, std_um, residual_um and reading. The
+/// prediction in a row uses only earlier readings. residual_um is empty in rows without a reading.
+/// `reading` is "learnt" or "refused" in rows whose reading was offered for learning, otherwise
+/// empty. For several displacements, names end with the column of the displacement instead of the
+/// unit: predicted_COLUMN.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
 /// Returns the document of `raceway correct --learn --json`.

@@ -25,16 +25,16 @@
 #include "verdict/compare.h"
 
 /// Writes results as JSON documents with two blanks of indentation and units in the keys
-/// (docs/files.md). Unknown values and values without an equilibrium are null. Numbers have 15
-/// digits.
+/// (docs/files.md). Unknown values, and values at operating points without equilibrium, are null.
+/// Numbers have 15 significant digits.
 ///
-/// If a record has several measured channels, a document of fit results shows the first one, and
-/// `channels` lists all.
+/// If a record has several measured channels, the top level of a document about a fit describes the
+/// first channel, and the member `channels` describes all channels.
 namespace raceway::results {
 
-/// Returns the document of `raceway solve --json`. `band` has one row. If `band` is null, the
-/// document contains no band. `findings` appear in the member `judgement`, as in all documents with
-/// findings.
+/// Returns the document of `raceway solve --json` for a ball bearing. `band` contains half widths
+/// of 95 % bands for this point; null means no bands. `findings` contains the limits that the
+/// result exceeds; every document lists them in the member `judgement`.
 [[nodiscard]] std::string solve_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const bearing::BearingEquilibrium& equilibrium,
@@ -43,44 +43,46 @@ namespace raceway::results {
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// Returns a table as a document. The table contains the columns of the band. `band` gives the
-/// fitted parameters that cause the band; it may be null.
+/// Returns the document of a friction table, with one row for each operating point. If `table` has
+/// columns for the 95 % band, `band` names the fitted parameters that cause it; null means no band.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// Returns the document of a fit. `record` is the record of the fit.
+/// Returns the document of a fit of model parameters to `record`.
 [[nodiscard]] std::string calibration_json(const verdict::Calibration& calibration,
                                            const record::Record& record);
 
-/// Returns one document for one model, and `{"models": [...]}` in the given order for several
-/// models. The document contains the comparison of each measured channel for each model. For
-/// corrections, it also lists the parts of the record outside the range of the fit.
+/// Returns the document that compares models with a record. It contains the errors of each model
+/// for each measured channel. For several models, the document is `{"models": [...]}` in the order
+/// of `model_files`. For corrections, the document also lists the parts of the record outside the
+/// range of the fit.
 [[nodiscard]] std::string comparison_json(
     const std::vector<std::string>& model_files,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<correction::Beyond>& beyond = {});
 
-/// Returns the document of a check. `defaults` of the model and `notes` on the data are texts for
-/// readers.
+/// Returns the document of `raceway check` for a model and a record. `defaults` lists default
+/// values of the model, and `notes` contains remarks on the record. `over_time` is the check of a
+/// record over time; null for other records.
 [[nodiscard]] std::string check_json(const std::string& model_name, const loop::Check& check,
                                      const std::vector<files::UsedDefault>& defaults,
                                      const std::vector<record::Note>& notes,
                                      const correction::RecordCheck* over_time = nullptr);
 
-/// Returns the document of a check of a model without data.
+/// Returns the document of `raceway check` for a model without a record.
 [[nodiscard]] std::string model_check_json(const std::string& model_name,
                                            const std::vector<files::UsedDefault>& defaults,
                                            const std::vector<record::Note>& notes);
 
-/// Returns the document of an error: `{"error": {"message", "file", "line", "key"}}`, with null for
-/// unknown members.
+/// Returns the document of an error message: `{"error": {"message", "file", "line", "key"}}`.
+/// Unknown members are null.
 [[nodiscard]] std::string error_json(const std::string& message, const text::Place& place);
 
 [[nodiscard]] std::string bearings_json(const std::vector<files::CatalogueBearing>& rows);
 
-/// Returns the data of one effect, or `{"effects": [...]}` for all effects.
+/// Return the description of one effect, or `{"effects": [...]}` for a list of effects.
 [[nodiscard]] std::string effect_json(const effects::Description& effect);
 [[nodiscard]] std::string effects_json(std::span<const effects::Description> effects,
                                        std::span<const correction::EffectCard> of_records);

@@ -10,8 +10,8 @@
 
 namespace raceway::results {
 
-/// Returns the results of a cylindrical roller bearing at one operating point, as in `raceway solve
-/// --json`. Values are null if the point has no equilibrium.
+/// Returns the document of `raceway solve --json` for a cylindrical roller bearing. Values are null
+/// if the operating point has no equilibrium.
 [[nodiscard]] std::string roller_solve_json(const model::Model& model,
                                             const bearing::OperatingPoint& point,
                                             const model::FrictionPrediction& friction,

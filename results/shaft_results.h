@@ -10,46 +10,47 @@
 #include "results/band_of_result.h"
 #include "shaft/shaft_prediction.h"
 
-/// Writes results of a shaft as CSV and JSON, with units in the keys (docs/files.md). Values
-/// without an equilibrium are empty or null.
+/// Writes results for a shaft on its bearing sets as CSV and JSON. The names contain the units
+/// (docs/files.md). Without equilibrium, values are empty in CSV and null in JSON.
 namespace raceway::results {
 
-/// Returns the name of a bearing in column names, `front_1` and so on, counted from the tool.
+/// Returns the name of a bearing in column names, such as `front_1`. In each set, the bearings are
+/// numbered from the tool.
 [[nodiscard]] std::string bearing_place(const bearing::Arrangement& arrangement, std::size_t i);
 
-/// A column of shaft results: its name with unit, and its value in that unit; NaN without an
-/// equilibrium.
+/// Column of displacement_text(): the name with its unit, and a function that returns the value in
+/// this unit, or NaN without equilibrium.
 struct DisplacementColumn {
   std::string name;
   std::function<double(const shaft::ShaftPrediction&)> value;
 };
 
-/// Returns the columns of the shaft and of each bearing that displacement_text() writes between
-/// speed and status.
+/// Returns the columns for the shaft and for each bearing that displacement_text() writes after the
+/// speed.
 [[nodiscard]] std::vector<DisplacementColumn> displacement_columns(
     const bearing::Arrangement& arrangement);
 
 /// Returns the shaft position over speed as CSV: `#` lines with title, version and model text, then
 /// the columns speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
-/// friction_torque_Nmm, power_loss_W, axial_position_um, the columns of every bearing, the columns
-/// of the band and the status. Values have 12 digits. `band` has one row for each point, or is
-/// null.
+/// friction_torque_Nmm, power_loss_W, axial_position_um, the columns of every bearing, the half
+/// widths in `band` and the status. Values have 12 significant digits. `band` has one row for each
+/// point; null means no bands.
 [[nodiscard]] std::string displacement_text(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,
                                             std::string_view model_text,
                                             const BandOfResult* band = nullptr);
 
-/// Returns the shaft position over speed as JSON: {"rows": [...]}, with the standstill values
-/// before the rows.
+/// Returns the shaft position over speed as JSON. The member `rows` has one entry for each point.
+/// The member `arrangement` contains preload, preload displacements and lift-off loads at
+/// standstill.
 [[nodiscard]] std::string displacement_json(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,
                                             const BandOfResult* band = nullptr,
                                             const model::Findings& findings = {});
 
-/// Returns the results at one point as a document, with friction and heat of the bearings in full
-/// precision.
+/// Returns the results at one operating point as JSON, with the friction and heat of each bearing.
 [[nodiscard]] std::string shaft_solve_json(const model::Model& model,
                                            const shaft::ShaftPoint& point,
                                            const shaft::ShaftPrediction& prediction,

@@ -11,74 +11,73 @@
 #include "spindle/film.h"
 #include "spindle/spindle.h"
 
-/// Writes results of a spindle simulation as CSV and JSON; names of keys and columns contain their
-/// units.
+/// Writes results of a spindle simulation as CSV and JSON. The names of keys and columns contain
+/// the units.
 namespace raceway::results {
 
-/// Difference between results with the chosen cells and with other cells.
+/// Difference between the steady states with the chosen mesh and with a mesh of other cell size.
 struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
-  double speed = unset;  ///< speed of the compared steady state [rad/s]
+  double speed = unset;  ///< speed of both steady states [rad/s]
   double displacement = unset,
-         inner_ring_rise = unset;  ///< chosen cells minus the other cells [m], [K]
-  double front_force = unset;      ///< [N]
+         inner_ring_rise = unset;  ///< chosen mesh minus other mesh [m]; hottest inner ring [K]
+  double front_force = unset;      ///< force of the front set, chosen mesh minus other mesh [N]
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
 
-/// A default value of a model, and the influence of its usual spread on the displacement of the
-/// nose.
+/// Default value of a model, and the influence of its possible error on the nose displacement.
 struct Assumption {
   std::string name;       ///< "bearing.lubricant_conductance_W_K"
   double value = unset;   ///< in the unit of the name
-  double spread = unset;  ///< possible error in either direction
-  /// Displacement at value - spread and value + spread [m]; NaN: no result.
+  double spread = unset;  ///< possible error in both directions, in the unit of the name
+  /// Nose displacement at value - spread and at value + spread [m]; NaN if there is no result.
   double low = unset, high = unset;
 };
 
-/// Default values with the largest influence on a steady state of a spindle.
+/// Default values with the largest influence on the nose displacement in a steady state.
 struct Assumptions {
   double speed = unset;            ///< [rad/s]
   double displacement = unset;     ///< displacement of the nose at this speed [m]
   std::size_t assumed = 0;         ///< number of default values that were varied
-  std::vector<Assumption> most{};  ///< at most five, the largest change first
+  std::vector<Assumption> most{};  ///< at most five, largest influence first
   [[nodiscard]] bool known() const { return !most.empty(); }
 };
 
-/// A steady state, or the reason why there is none.
+/// Results of a steady state, or the reason why there is none.
 struct SteadyState {
   spindle::Inputs inputs;
   spindle::Moment moment;
   spindle::Report report;
-  double axial_stiffness = unset;  ///< axial stiffness of the warm sets [N/m]
-  /// Values of each bearing, front set first; empty if there are no values.
+  double axial_stiffness = unset;  ///< axial stiffness of the warm bearing sets [N/m]
+  /// Equilibrium of each bearing, front set first; empty without equilibrium.
   std::vector<bearing::BearingInSet> bearings = {};
-  /// Flow of each circuit in the order of model::Spindle::channels(); empty if the coolant of the
-  /// circuit does not flow.
+  /// Flow in each coolant circuit, in the order of model::Spindle::channels(). An entry is empty if
+  /// the coolant does not flow.
   std::vector<std::optional<spindle::ChannelFlow>> channels = {};
-  /// seats in the order of Moment::bearings; empty for a network
+  /// Ring seats in the order of Moment::bearings; empty for a thermal network.
   std::vector<spindle::SeatsOfBearing> seats = {};
-  std::vector<spindle::SurfaceState> surfaces = {};  ///< joints and surfaces, without the seats
-  std::vector<spindle::ShaftPlace> shaft = {};       ///< from the nose to the rear end
+  std::vector<spindle::SurfaceState> surfaces = {};  ///< joints and surfaces except ring seats
+  std::vector<spindle::ShaftPlace> shaft = {};       ///< axial displacements, from nose to rear end
   std::vector<spindle::SectionStress> stress = {};   ///< stress of shaft and rings
 };
 
-/// Returns the section with the largest von Mises stress; null for an empty list.
+/// Returns the section with the largest von Mises stress; null if `sections` is empty.
 [[nodiscard]] const spindle::SectionStress* largest_stress(
     std::span<const spindle::SectionStress> sections);
 
-/// A column of a run, with the value in the unit of the column name.
+/// Name of a column of run.csv and its value at one time, in the unit of the name.
 struct RunColumn {
   std::string name;
   double value;
 };
 
-/// Returns all columns of one moment for files and pages, including those without a value.
+/// Returns all columns of run.csv at one time except time_s. Columns without a value are NaN.
 [[nodiscard]] std::vector<RunColumn> run_columns(const model::Model& model,
                                                  const spindle::Inputs& inputs,
                                                  const spindle::Moment& moment);
 
-/// Returns `run.csv`: one row for each completed row of the programme, and one more row if the run
-/// ends early. `model_text` is the text of the model file.
+/// Returns the text of `run.csv`. The text has one row for each completed row of the speed
+/// programme, and one more row if the run ended early. `model_text` is the text of the model file.
 [[nodiscard]] std::string spindle_run_text(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, std::string_view model_text);
@@ -87,8 +86,8 @@ struct RunColumn {
                                            const spindle::Run& run, const MeshEstimate& mesh,
                                            const model::Findings& findings = {},
                                            const Assumptions& assumptions = {});
-/// Returns the steady states of several speeds, with the columns of `run.csv` except time_s, and
-/// with axial stiffness and status.
+/// Returns the steady states at several speeds as CSV, with the columns of `run.csv` except time_s,
+/// and with columns for axial stiffness and status.
 [[nodiscard]] std::string spindle_steady_text(const model::Model& model,
                                               std::span<const SteadyState> states,
                                               std::string_view model_text);
@@ -97,24 +96,28 @@ struct RunColumn {
                                               const MeshEstimate& mesh,
                                               const model::Findings& findings = {},
                                               const Assumptions& assumptions = {});
-/// Returns `field.csv`: middle, part and temperature of each cell.
+/// Returns the text of `field.csv` with the position and radius of the middle, the part and the
+/// temperature of each cell.
 [[nodiscard]] std::string spindle_field_text(std::span<const spindle::FieldCell> cells,
                                              std::string_view name);
 
-/// Returns the temperatures of a spindle as a saved state. A simulation can start from this state.
+/// Returns the temperatures of all cells of a spindle as JSON. A later simulation can start from
+/// these temperatures.
 [[nodiscard]] std::string spindle_state_json(const model::Model& model,
                                              const spindle::State& state);
-/// Throws InputError if the file is not JSON, if it is not a state of a spindle, or if a value is
-/// not a number.
+/// Reads a state from a file that contains the text of spindle_state_json(). Throws InputError if
+/// the file is not JSON, is not such a state, has another format number, or has a value that is
+/// missing or outside its range.
 [[nodiscard]] spindle::State read_spindle_state(const std::string& path);
-/// Reads a state from text; `source` appears in messages.
+/// Reads a state from `text`, as written by spindle_state_json(). Error messages name `source` as
+/// the file.
 [[nodiscard]] spindle::State parse_spindle_state(const std::string& text,
                                                  const std::string& source);
 
-/// Returns the name of a coolant circuit, "coolant" for the first one.
+/// Returns the name of a coolant circuit. The first circuit has the name "coolant".
 [[nodiscard]] std::string circuit_name(const model::Model& model, std::size_t circuit);
-/// Returns the name of a bearing in columns: "front_1", counted from the nose in each set, or the
-/// name of a roller bearing.
+/// Returns the name of a bearing in column names. A bearing of a set has a name such as "front_1",
+/// counted from the nose. A roller bearing has the name in the model.
 [[nodiscard]] std::string bearing_label(const model::Model& model, std::size_t bearing);
 
 }  // namespace raceway::results

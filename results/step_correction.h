@@ -11,61 +11,65 @@
 
 namespace raceway::results {
 
-/// Form of gain K(P) and time constant T(P) over the power loss P in a correction.
+/// Law for the gain K(P) and the time constant T(P) over the power loss P in a correction.
 enum class StepLaw {
   curve,  ///< table through all points, with K(0) = 0
   power,  ///< K = a P^b, T = c P^d
-  line    ///< published form: a straight line
+  line    ///< straight line, the published law
 };
 
-/// Power loss of a spindle at a speed.
+/// Power loss of all bearings of a spindle at one speed.
 struct PowerAtSpeed {
   double speed = unset;  ///< [rad/s], > 0
   double power = unset;  ///< [W]
 };
 
-/// Data of a correction in addition to the step responses.
+/// Values that a correction needs in addition to the step responses.
 struct StepCorrectionParts {
   std::string name = {};                              ///< name of the model
-  std::vector<PowerAtSpeed> power = {};               ///< in order of rising speed
+  std::vector<PowerAtSpeed> power = {};               ///< in ascending order of speed
   std::optional<shaft::KinematicLaw> kinematic = {};  ///< kinematic law; empty: none
   StepLaw law = StepLaw::curve;
-  bool two_lags = false;  ///< true: a fast and a slow delay element
+  bool two_lags = false;  ///< true: two delay elements, fast and slow
 };
 
-/// Returns the channel name of a load at a speed, such as "axial_load_4000rpm".
+/// Returns the name of the correction channel for load steps at a speed [rad/s], such as
+/// "axial_load_4000rpm".
 [[nodiscard]] std::string load_channel(spindle::Stepped stepped, double speed);
 
-/// Returns a model with delay elements driven by the friction power at the speed. Each stepped load
-/// has two channels for each of its speeds: an instant part and a thermal part. The instant part is
-/// weighted by a share that depends on the speed. The share is 1 at the speed of the channel and 0
-/// at the neighbouring speeds, with linear interpolation between them. Beyond the first and the
-/// last speed the share is 1. The thermal part is a delay element whose input is the load times
-/// this share. For the thermal part, the share falls to 0 at standstill.
+/// Returns a correction model from step responses. The input of its delay elements is the friction
+/// power at the present speed. For load steps, each speed has two channels: an immediate
+/// displacement and a thermal displacement. Each channel has a weight that depends on the speed.
+/// The weight is 1 at the speed of the load steps and 0 at the neighbouring speeds, and linear
+/// between them. Above the highest speed, the weight is 1. Below the lowest speed, the weight of
+/// the immediate displacement is 1, and the weight of the thermal displacement falls linearly to 0
+/// at standstill. The immediate displacement is multiplied by the weight. The thermal displacement
+/// is a delay element whose input is load times weight.
 ///
-/// Throws std::invalid_argument without a step response, without a power above 0, and for a law or
-/// lags that the step responses do not determine.
+/// Throws std::invalid_argument if `parts.power` is empty, if no step response has the needed lags,
+/// or if the step responses do not determine the law.
 [[nodiscard]] correction::Model step_model(const spindle::StepResponses& responses,
                                            const StepCorrectionParts& parts);
 
-/// A model for `raceway correct`, with its tables by file name.
+/// Model file for `raceway correct`, and its table files with path and text.
 struct StepCorrection {
   std::string model = {};
   std::vector<std::pair<std::string, std::string>> tables = {};
 };
 
-/// Returns the text and the tables of a model from step_model(). Tables are in the folder of
-/// `path`. The names of the tables begin with the name of the model file: c_friction.csv for
-/// c.toml.
+/// Returns the texts of the model file `path` and of its tables for a model from step_model(). The
+/// tables are in the folder of `path`. Their names begin with the name of the model file, such as
+/// c_friction.csv for c.toml.
 [[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 
-/// Returns the paths of all tables that step_correction() may write for `path`, including the
-/// tables for load channels.
+/// Returns the paths of all tables that step_correction() may return for the model file `path` and
+/// these load channels.
 [[nodiscard]] std::vector<std::string> step_correction_tables(
     const std::string& path, const std::vector<std::string>& load_channels = {});
 
-/// Writes all files, tables first.
+/// Writes the tables and then the model file `path`. If `replace` is false and a file exists,
+/// throws InputError.
 void write_step_correction(const StepCorrection& correction, const std::string& path, bool replace);
 
 }  // namespace raceway::results

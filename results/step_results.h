@@ -8,19 +8,20 @@
 #include "results/superposition.h"
 #include "spindle/step_response.h"
 
-/// Writes step responses as CSV and JSON, with units in the keys (docs/files.md). Unknown values
-/// are empty or null.
+/// Writes step responses as CSV and JSON. The names contain the units (docs/files.md). Unknown
+/// values are empty in CSV and null in JSON.
 namespace raceway::results {
 
-/// Returns the columns speed_rpm, power_start_W, power_end_W, kinematic_um, K_um, T_min,
-/// fit_rms_um, the two lags K1_um, T1_min (the faster) and K2_um, T2_min, fit_rms_two_um, end_um,
-/// front_force_N, highest_front_force_N and status, plus columns for the load of load steps, and
-/// load_case for imported responses. `model_text` may be empty.
+/// Returns CSV with the columns speed_rpm, power_start_W, power_end_W, kinematic_um, K_um, T_min,
+/// fit_rms_um, K1_um and T1_min of the faster lag, K2_um and T2_min of the slower lag,
+/// fit_rms_two_um, end_um, front_force_N, highest_front_force_N and status. For load steps, the
+/// text also has columns of the load. For imported step responses, the text has the column
+/// load_case. `model_text` is the text of the model file, or empty.
 [[nodiscard]] std::string step_responses_text(const spindle::StepResponses& responses,
                                               std::string_view source, std::string_view model_text);
 
-/// Returns the step responses with the laws K(P) and T(P) as JSON. `notes` are texts for the user.
-/// `error` is the error of the correction; null if it was not requested.
+/// Returns the step responses with the laws K(P) and T(P) as JSON. `notes` contains remarks for the
+/// user. `error` compares the correction with the simulation; null means not requested.
 [[nodiscard]] std::string step_responses_json(const spindle::StepResponses& responses,
                                               const spindle::PowerLaws& laws,
                                               const std::vector<record::Note>& notes,

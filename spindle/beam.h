@@ -31,11 +31,11 @@ struct BeamElement {
   [[nodiscard]] double shear_ratio() const;
 };
 
-/// Matrices of one element in one plane, for (v, θ) at both ends: displacement [m] and rotation of
-/// the section [rad], θ = dv/ds without shear. The mass matrix includes rotary inertia.
-/// `gyroscopic` is 2 N with the rotary inertia N, because the polar moment of a section is twice
-/// its moment about a diameter. The integrals have closed forms with shape functions that are exact
-/// for loads at the nodes.
+/// Matrices of one beam element in one plane. The unknowns are (v, θ) at both ends: displacement v
+/// [m] and rotation θ of the section [rad]. Without shear, θ = dv/ds. The mass matrix includes
+/// rotary inertia. `gyroscopic` is 2 N, where N is the matrix of rotary inertia, because the polar
+/// moment of a section is twice the moment about a diameter. The matrices are integrated exactly,
+/// with shape functions that are exact for loads at the nodes.
 struct ElementMatrices {
   Eigen::Matrix4d stiffness, mass, gyroscopic;
 };
@@ -60,7 +60,7 @@ struct Spring {
 [[nodiscard]] Spring isotropic_spring(double position, double radial, double tilt = 0.0,
                                       double coupling = 0.0);
 
-/// A load in one plane.
+/// Force and moment on the shaft at one position, in one plane.
 struct BeamLoad {
   double position = unset;  ///< distance behind the nose face [m]
   double force = 0.0;       ///< [N]
@@ -69,18 +69,17 @@ struct BeamLoad {
 
 struct BeamMesh {
   double element_length = 5 * mm;  ///< largest length of an element [m]
-  int elements = 0;  ///< smallest number of elements of the whole shaft; overrides the length
+  int elements = 0;  ///< smallest number of elements of the shaft; if > 0, it replaces the length
 };
 
-/// Shaft made of Timoshenko elements, with s from the nose to the rear. Isotropic parts have one
-/// matrix for both planes. The complex variable v + i w halves the number of unknowns. Supports of
-/// the body are part of the beam. Bearings are not part of the beam: their springs are arguments of
-/// each calculation.
+/// Shaft made of Timoshenko beam elements. The coordinate s increases from the nose to the rear.
+/// The matrices are equal in both planes. The beam contains the supports in `body`, but no
+/// bearings. The bearing springs are arguments of each calculation.
 class Beam {
  public:
-  /// Places nodes at changes of section, disks, supports and `places` [m]. Throws
-  /// std::invalid_argument for an impossible value. The message gives the name of the value, the
-  /// value with its unit, and the allowed range.
+  /// Creates nodes at changes of section, disks, supports and the positions `places` [m]. Throws
+  /// std::invalid_argument if a value is outside its range. The message gives the name of the
+  /// quantity, the value with unit, and the allowed range.
   Beam(const model::ShaftBody& body, std::span<const double> places, const BeamMesh& mesh = {});
 
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }  ///< [m]
@@ -88,20 +87,21 @@ class Beam {
   [[nodiscard]] double length() const { return nodes_.back(); }  ///< [m]
   [[nodiscard]] double weight() const { return mass_sum_; }      ///< mass including disks [kg]
 
-  /// Matrices in one plane, with (v, θ) of successive nodes. The stiffness includes the supports of
-  /// the body.
+  /// Matrices in one plane for the vector (v, θ) of all nodes in order. The stiffness matrix
+  /// includes the supports of the shaft.
   [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& gyroscopic() const { return gyroscopic_; }
-  /// Returns the stiffness matrix including springs at nodes.
+  /// Returns the stiffness matrix of the beam with `springs` at the nodes `places` [m].
   [[nodiscard]] Eigen::SparseMatrix<double> held_by(std::span<const double> places,
                                                     std::span<const PlaneSpring> springs) const;
 
-  /// Returns the node at a place, within 1 nm. Throws std::invalid_argument if there is no node.
+  /// Returns the index of the node within 1 nm of a position [m]. Throws std::invalid_argument if
+  /// there is no such node.
   [[nodiscard]] std::size_t node_at(double position) const;
-  /// Returns v and θ at a place between nodes, from the values of all nodes.
+  /// Returns v and θ at any position [m]. `shape` contains (v, θ) of all nodes.
   [[nodiscard]] Eigen::Vector2d at(double position, const Eigen::VectorXd& shape) const;
-  /// Adds the equivalent nodal forces of a load.
+  /// Adds the equivalent nodal forces of a load to `forces`.
   void add_load(const BeamLoad& load, Eigen::VectorXd& forces) const;
 
  private:
@@ -119,23 +119,23 @@ class Beam {
 
 /// Bending of the shaft in one plane under static loads.
 struct Deflection {
-  bool found = false;     ///< false if the shaft is not supported
+  bool found = false;     ///< false if the shaft can move freely
   Eigen::VectorXd shape;  ///< (v, θ) of all nodes [m, rad]
 };
 
-/// Solves K q = f with springs at `places`. Each place must be a node. The result is exact at the
-/// nodes.
+/// Solves K q = f for the shaft on springs at the positions `places` [m], which must be nodes. The
+/// result is exact at the nodes.
 [[nodiscard]] Deflection deflect(const Beam& beam, std::span<const double> places,
                                  std::span<const PlaneSpring> springs,
                                  std::span<const BeamLoad> loads);
 
-/// Beam condensed onto a few nodes in one plane. The stiffness refers to (v, θ) of these nodes. All
-/// other nodes are eliminated, which is exact in statics.
+/// Beam reduced to a few nodes in one plane. The stiffness matrix refers to (v, θ) of these nodes.
+/// The elimination of all other nodes is exact in statics.
 class CondensedBeam {
  public:
   CondensedBeam(const Beam& beam, std::vector<std::size_t> nodes);
   [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-  /// Returns the values of all nodes from the condensed nodes.
+  /// Returns (v, θ) of all nodes. `few` contains (v, θ) of the nodes of the reduced beam.
   [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& few) const;
 
  private:

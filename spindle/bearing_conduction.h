@@ -9,15 +9,16 @@
 
 namespace raceway::spindle {
 
-/// Returns a typical heat conductance from ring to ring of a lubricated, turning ball bearing
-/// [W/K], for use in addition to the conductance of its contacts.
+/// Returns a typical thermal conductance from ring to ring through the lubricant of a rotating ball
+/// bearing [W/K]. Add it to the conductance of the ball contacts.
 ///
 ///   G = 1650 Z D²      Z D² [m²]
 ///
 /// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
-///           program Thermca, evaluated at n d_m = 500 000 mm/min. This source formula also
-///           contains the conductance of the contacts, about a tenth of the value.
-/// Domain:   balls of 5 to 22 mm; within 12 % of that formula for n d_m from 200 000 to 2 000 000.
+///           program Thermca, evaluated at n d_m = 500 000 mm/min. About a tenth of the result of
+///           the source formula is the conductance of the contacts.
+/// Domain:   balls of 5 to 22 mm; within 12 % of the source formula if n d_m is from 200 000 to
+///           2 000 000 mm/min.
 /// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in the same program
 ///           gives 0.6 W/K, and this formula gives 4.7 W/K. The larger value agrees with the rule
 ///           that inner rings are 5 to 10 K warmer than outer rings.
@@ -27,8 +28,7 @@ namespace raceway::spindle {
 }
 
 /// Returns the thermal conductivity of balls or rollers [W/(m K)]: 30 for silicon nitride,
-/// otherwise the value of the rings. A density below 6000 kg/m³ identifies a material other than
-/// steel.
+/// otherwise the conductivity of the rings. A density below 6000 kg/m³ identifies silicon nitride.
 [[nodiscard]] inline double conductivity_of_element(const bearing::Material& material) {
   return material.density < 6000.0 ? 30.0 : model::steel_of_rings.conductivity;
 }
@@ -37,37 +37,39 @@ namespace raceway::spindle {
 ///
 ///   G = Z/(R_i + R_o),   R = K(k)/(2 π a) (1/λ_ball + 1/λ_ring) = R(1 N)/Q^(1/3)
 ///
-/// The modulus of K, k² = 1 - b²/a², belongs to the contact and does not depend on the load. a is
-/// proportional to the cube root of the load, so each call needs only one cube root for each race.
+/// K is the complete elliptic integral of the first kind. Its modulus k, k² = 1 - b²/a², does not
+/// depend on the load. The semi-axis a is proportional to the cube root of the contact load Q.
 /// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
 ///           neglected.
 /// Domain:   loads >= 0; the conductance is zero if a ball touches only one race.
-/// Accuracy: for a dry bearing at rest. Oil film, lubricant and rolling balls conduct several times
-///           as much; add model::Spindle::lubricant_conductance for them.
+/// Accuracy: for a dry bearing at rest. In operation, the lubricant and the rolling balls conduct
+///           several times as much: add model::Spindle::lubricant_conductance.
 class BallConduction {
  public:
-  /// Arguments are conductivities [W/(m K)].
+  /// The conductivities of balls and rings are in W/(m K).
   BallConduction(const bearing::Bearing& bearing, double ball_conductivity,
                  double ring_conductivity)
       : count_(bearing.geometry().ball_count),
         inner_(of(bearing.contact(bearing::Race::inner), ball_conductivity, ring_conductivity)),
         outer_(of(bearing.contact(bearing::Race::outer), ball_conductivity, ring_conductivity)) {}
 
-  /// Returns the resistance of one contact at this load [K/W]; infinite without load.
+  /// Returns the thermal resistance of one contact at a contact load in N [K/W]; infinite without
+  /// load.
   [[nodiscard]] double resistance(bearing::Race race, double load) const {
     return 1.0 / ((race == bearing::Race::inner ? inner_ : outer_) * std::cbrt(load));
   }
-  /// Returns the conductance of one ball [W/K].
+  /// Returns the thermal conductance through one ball [W/K]; 0 if a contact has no load. Loads are
+  /// in N.
   [[nodiscard]] double ball(double inner_load, double outer_load) const {
     if (!(inner_load > 0.0) || !(outer_load > 0.0)) return 0.0;
     const double inner = inner_ * std::cbrt(inner_load), outer = outer_ * std::cbrt(outer_load);
     return inner * outer / (inner + outer);
   }
-  /// Returns the conductance of a bearing whose balls have equal loads [W/K].
+  /// Returns the thermal conductance of a bearing whose balls have equal contact loads [W/K].
   [[nodiscard]] double conductance(double inner_load, double outer_load) const {
     return count_ * ball(inner_load, outer_load);
   }
-  /// Returns the conductance of a bearing with these balls [W/K].
+  /// Returns the thermal conductance of a bearing with the contact loads of `balls` [W/K].
   [[nodiscard]] double conductance(const bearing::Balls& balls) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < balls.distinct().size(); ++k)
@@ -76,7 +78,7 @@ class BallConduction {
   }
 
  private:
-  /// Returns the conductance of a contact at 1 N [W/(K N^(1/3))].
+  /// Returns the thermal conductance of a contact at a load of 1 N [W/(K N^(1/3))].
   static double of(const bearing::HertzContact& contact, double ball, double ring) {
     return 2.0 * pi * contact.semi_major_axis(1.0) /
            (contact.first_integral * (1.0 / ball + 1.0 / ring));

@@ -10,22 +10,23 @@
 
 namespace raceway::spindle {
 
-/// Quantities that couple bearings and cells:
+/// Coupling between the bearings and the cells of the thermal mesh. The vectors s and y contain:
 ///
 ///   felt s    for each bearing, the mean temperatures of inner and outer ring and of the cells
 ///             at its two raceways [K]; for each roller bearing also shaft and housing at its
 ///             seats; then the elongation between the sets, in um
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
-/// Friction heat arises at the raceways. Heat conducted by the balls flows between the raceways. A
-/// raceway is warmer than the cells behind it by the temperature drop over half a cell:
+/// Friction heat q arises at the raceways. Heat Q flows through the balls from the inner to the
+/// outer raceway. A raceway at T_s is warmer than its cells at the mean temperature a by the
+/// temperature drop over half a cell:
 ///
 ///   T_s = a + w/S,   Q = G (T_si - T_so),   w_i = q_i - Q,   w_o = q_o + Q
 ///
-/// S is the conductance from cells to raceway. Radial loads on the shaft reach the bearings through
-/// the beam. The bearing loads from these radial loads are constant between two calls of bear(),
-/// like heat transfer coefficients and seats. The elongation is in um so that all elements of s
-/// have similar size.
+/// S is the conductance between the raceway and its cells, w is the heat into these cells, and G is
+/// the conductance through the balls. The function bear() computes the bearing loads from radial
+/// loads on the shaft with a beam model. These bearing loads are constant between two calls of
+/// bear(). The elongation is in um so that all elements of s have similar size.
 class BearingCoupling {
  public:
   BearingCoupling(const model::Model& model, const effects::SpindleCondition& condition,
@@ -35,38 +36,42 @@ class BearingCoupling {
   [[nodiscard]] Eigen::Index given_count() const {
     return static_cast<Eigen::Index>(2 * bearings());
   }
-  /// Returns s for these temperatures.
+  /// Returns the vector s for these cell temperatures [K].
   [[nodiscard]] Vector felt(const Vector& temperatures) const {
     return felt_ * temperatures + offset_;
   }
-  /// The terms of s = F T + s0: felt_rows() is F, and felt_offset() is s0.
+  /// The vector s is F T + s0 with the cell temperatures T. felt_rows() returns F, and
+  /// felt_offset() returns s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
   [[nodiscard]] const Vector& felt_offset() const { return offset_; }
-  /// Index in s of each element of the argument `given`. Heat enters the cells of a raceway with
-  /// the same weights as in the mean temperature of the raceway.
+  /// For each element of y, the index in s of the cell temperature at the same raceway. Heat enters
+  /// these cells with the weights of their mean temperature.
   [[nodiscard]] const std::vector<Eigen::Index>& given_rows() const { return given_rows_; }
-  /// Adds y to the heat flow into each cell [W].
+  /// Adds the raceway heat y = `given` to the heat flow into each cell [W].
   void add_given(const Vector& given, Vector& inflow) const;
 
   [[nodiscard]] const WarmSets& sets() const { return sets_; }
-  /// Sets speed and loads of the bearings. Returns false if the cold sets have no equilibrium.
+  /// Sets speed and loads of the bearings. Returns false if the cold bearing sets have no
+  /// equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Distributes the radial loads of the shaft to the bearings in their state at s. Returns false
-  /// if there is no equilibrium.
+  /// Computes the bearing loads from the radial loads on the shaft, for the temperatures in s.
+  /// Returns false if shaft and bearings have no equilibrium.
   [[nodiscard]] bool bear(const Vector& felt);
-  /// Returns the bent shaft of the last bear(); null if no load bends it and no rollers support it.
+  /// Returns the bent shaft of the last bear(); null if no load bends the shaft and no roller
+  /// bearing supports it.
   [[nodiscard]] const LoadedShaft* shaft() const { return bent_ ? &*bent_ : nullptr; }
-  /// Returns true if bear() has any effect.
+  /// Returns true if a load bends the shaft or a roller bearing supports it. Otherwise bear() has
+  /// no effect.
   [[nodiscard]] bool bends() const { return shaft_.has_value(); }
-  /// Returns the position of the shaft at standstill without heat, under the belt load only [m].
+  /// Returns the axial position of the cold shaft at standstill under the belt load only [m].
   [[nodiscard]] double rest() const { return sets_.rest() + bent_rest_; }
   [[nodiscard]] std::size_t bearings() const { return inner_raceway_.size(); }
-  /// Returns the state of bearing b at s, after evaluate() for this s.
+  /// Returns temperatures, forces and friction of bearing b at s. Call evaluate() for this s first.
   [[nodiscard]] BearingState state(std::size_t b, const Vector& felt) const;
-  /// Computes y for s. Returns false if the sets have no equilibrium.
+  /// Computes the raceway heat y for s. Returns false if the bearing sets have no equilibrium.
   [[nodiscard]] bool evaluate(const Vector& felt, Vector& given);
-  /// Computes dy/ds by differences about the last evaluated s. Returns false if a neighbouring s
-  /// has no equilibrium.
+  /// Computes dy/ds by finite differences about the last evaluated s. Returns false if the bearing
+  /// sets have no equilibrium at a shifted s.
   [[nodiscard]] bool differentiate(const Vector& felt, const Vector& given, Matrix& jacobian);
 
  private:

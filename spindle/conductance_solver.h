@@ -7,18 +7,19 @@
 
 namespace raceway::spindle {
 
-/// Solves A T = r, A = capacity_factor C + G, for the temperatures of all bodies.
+/// Solves A T = r with A = capacity_factor C + G for the temperatures T of all bodies. C contains
+/// the heat capacities and G the thermal conductances.
 ///
-/// A = L D Lᵀ, with the bodies in an elimination order with little fill. The order is found once.
-/// Forward and back substitution are separate, because
+/// A is factorised as L D Lᵀ. The constructor finds an order of the bodies in which L has few
+/// elements. Forward and back substitution are separate functions. The product
 ///
 ///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)
 ///
-/// needs forward substitutions only, which are short if few bodies are involved.
-/// Accuracy: rounding; the matrix is diagonally dominant.
+/// needs only forward substitutions, which are short if only a few elements of u are not zero.
+/// Accuracy: rounding errors only; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:
-  /// After construction, only the conductances of `paths` may change.
+  /// Finds the order of elimination. Later, only the conductances in `paths` may change.
   explicit ConductanceSolver(const HeatPaths& paths);
   /// Factorises A. Returns false if A is not positive definite: a body has neither heat capacity
   /// nor a path for heat to leave, or a number is not finite.
@@ -27,18 +28,18 @@ class ConductanceSolver {
     return second_half(first_half(in_order(right)));
   }
 
-  /// Returns right sides with the bodies in the order of elimination.
+  /// Returns right-hand sides with the bodies in the order of elimination.
   template <typename Right>
   [[nodiscard]] Right in_order(const Right& right) const {
     return order_ * right;
   }
-  /// Returns L⁻¹ r, column by column.
+  /// Returns L⁻¹ r for each column r of right-hand sides in the order of elimination.
   template <typename Right>
   [[nodiscard]] Right first_half(Right in_order) const {
     ldlt_.matrixL().solveInPlace(in_order);
     return in_order;
   }
-  /// Returns A⁻¹ r from L⁻¹ r.
+  /// Returns A⁻¹ r, where `first` is L⁻¹ r.
   [[nodiscard]] Vector second_half(const Vector& first) const {
     Vector in_order = inverse_.cwiseProduct(first);
     ldlt_.matrixU().solveInPlace(in_order);
@@ -48,7 +49,7 @@ class ConductanceSolver {
   [[nodiscard]] const Vector& inverse() const { return inverse_; }
 
  private:
-  /// Places in the matrix to which a link adds its conductance.
+  /// Indices of the matrix values to which a heat path adds its conductance.
   struct LinkPlaces {
     Eigen::Index first, second, off;
   };

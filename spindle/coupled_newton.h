@@ -7,21 +7,23 @@ namespace raceway::spindle {
 
 enum class NewtonStatus { converged, no_balance, diverged };
 
-/// Solves A T = r + P y(s), s = F T + s0 for the temperatures of all cells.
+/// Solves A T = r + P y(s) with s = F T + s0 for the temperatures T of all cells. BearingCoupling
+/// defines the vectors s and y.
 ///
-/// A = L D Lᵀ is factorised once per time step. The nonlinear part, the sets, maps about a dozen
-/// numbers s to half a dozen numbers y. Newton's method therefore runs only on
+/// A = L D Lᵀ is factorised once per time step. Only the bearing heat y(s) is nonlinear, and s and
+/// y have few elements. Newton's method therefore solves only
 ///
 ///   s = F A⁻¹ r + s0 + M y(s),   M = F A⁻¹ P
 ///
-/// Woodbury's identity eliminates the cells, so derivatives with respect to cell temperatures are
-/// not needed. With Φ = L⁻¹ Fᵀ, some columns of which are Π = L⁻¹ P,
+/// This elimination of the cells is Woodbury's identity. Derivatives with respect to cell
+/// temperatures are not needed. F A⁻¹ r and M need only forward substitutions, with Φ = L⁻¹ Fᵀ and
+/// Π = L⁻¹ P, whose columns are columns of Φ:
 ///
 ///   F A⁻¹ r = Φᵀ D⁻¹ L⁻¹ r,   M = Φᵀ D⁻¹ Π
 ///
-/// need only forward substitutions; only T needs a back substitution. The solver keeps dy/ds
-/// between time steps, updates it after each Newton step (Broyden 1965), and computes it again when
-/// convergence is slow.
+/// Only T needs a back substitution. The solver keeps the Jacobian dy/ds between time steps and
+/// updates it after each Newton step (Broyden 1965). If convergence is slow, the solver computes
+/// the Jacobian again.
 class CoupledNewton {
  public:
   CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling);
@@ -29,14 +31,17 @@ class CoupledNewton {
   /// Factorises A = capacity_factor C + G. Returns false if A is not positive definite: a
   /// body has neither heat capacity nor a path for heat to leave, or a number is not finite.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
-  /// Computes the temperatures. `given` contains the start value of y and receives the result.
+  /// Computes `temperatures` for the right-hand side r = `right`. `given` and `felt` contain start
+  /// values of y and s, and receive the solution. If the status is not `converged`, they do not
+  /// change.
   [[nodiscard]] NewtonStatus solve(const Vector& right, Vector& temperatures, Vector& given,
                                    Vector& felt);
   [[nodiscard]] Vector solve_linear(const Vector& right) const { return solver_.solve(right); }
-  /// Drops the derivatives; call it after a change of the inputs of the sets.
+  /// Discards the Jacobian dy/ds. Call this function after a change of speed or load.
   void forget_derivatives() { known_ = false; }
-  /// Returns the largest real gain of the loop heat -> temperature -> preload -> heat at the last
-  /// solution. At a gain of 1, thermal runaway begins.
+  /// Returns the largest real gain of the feedback loop heat -> temperature -> preload -> heat at
+  /// s = `felt` [1]. A gain of 1 or more means thermal runaway. NaN without bearings, or if a
+  /// shifted s has no equilibrium.
   [[nodiscard]] double gain(const Vector& felt, const Vector& given);
 
  private:

@@ -7,22 +7,23 @@
 
 namespace raceway::spindle {
 
-/// A run prepared for plots: its rows, the ends of all time steps between them, and the
+/// Run prepared for plots: results at all rows and at the ends of all time steps, and the
 /// temperatures of all cells at a few times.
 struct DrawnRun {
   std::vector<ProfileRow> rows;
-  std::vector<Moment> moments;  ///< one moment for each row
-  std::vector<State> states;    ///< in order of time, with the state of the highest front force
+  std::vector<Moment> moments;  ///< results, one entry for each element of `rows`
+  std::vector<State> states;    ///< in order of time; one state is near the highest front force
 };
 
 /// Repeats the simulation `run` of `profile` with the same time steps. `states` is the largest
-/// number of states. The states are evenly spaced in time, and the last one is at the end of the
-/// run.
+/// number of states in the result. The states are evenly spaced in time up to the end of the run,
+/// except the state near the highest front force. If `run` has no time steps, only its end state is
+/// included.
 [[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
                                  const State* start, const Run& run, std::size_t states = 12);
 
-/// If a run ended early between two rows of the profile, adds this end as the last moment of the
-/// run and as an additional row of the profile. Otherwise the function changes nothing.
+/// If a simulation stopped between two rows of the profile, adds the time of the stop as the last
+/// moment of the run and as a row of the profile. Otherwise the function changes nothing.
 void add_end(Simulator& simulator, std::vector<ProfileRow>& profile, const State* start, Run& run);
 
 }  // namespace raceway::spindle

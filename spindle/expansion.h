@@ -6,7 +6,7 @@
 
 namespace raceway::spindle {
 
-/// A length of shaft or housing with one section and one temperature.
+/// Length of shaft or housing with one cross-section and one mean temperature.
 struct HeatedLength {
   double length = unset;             ///< [m]
   double area = unset;               ///< [m²]
@@ -15,18 +15,17 @@ struct HeatedLength {
   double rise = unset;               ///< mean temperature above the mounting temperature [K]
 };
 
-/// Returns the free elongation, the integral of α ΔT over the length [m].
+/// Returns the free thermal elongation, the sum of α ΔT times length over all `lengths` [m].
 [[nodiscard]] double free_elongation(std::span<const HeatedLength> lengths);
 
-/// Computes the node displacements of a bar fixed at its left end, with substitute forces E A α ΔT
-/// that pull on both nodes of each length [m]. `nodes` has one entry more than `lengths`. The last
-/// displacement is the free elongation, because the forces balance the thermal expansion for any
-/// stiffness.
+/// Computes the displacements `nodes` of the ends of all lengths in a bar that is fixed at its left
+/// end [m]. Substitute forces E A α ΔT pull at both ends of each length. `nodes` has one element
+/// more than `lengths`. Its last element is the free elongation, whatever the stiffness of the bar.
 /// Source: [Brecher2021, 3.1].
 void displace_by_substitute_forces(std::span<const HeatedLength> lengths, std::span<double> nodes);
 
-/// Returns the force in a bar fixed at both ends, positive in tension [N]: N = -∫ α ΔT ds / ∫ ds/(E
-/// A). For a single section, N = -E A α mean(ΔT).
+/// Returns the axial force N = -∫ α ΔT ds / ∫ ds/(E A) in a bar fixed at both ends, positive in
+/// tension [N]. For a constant cross-section, N = -E A α mean(ΔT).
 [[nodiscard]] double force_if_held(std::span<const HeatedLength> lengths);
 
 }  // namespace raceway::spindle

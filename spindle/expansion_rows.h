@@ -5,13 +5,15 @@
 
 namespace raceway::spindle {
 
-/// Returns the weights w_k [m/K] of the cell temperatures in the elongation of a body between two
-/// planes,
+/// Returns the weights w_k of the cell temperatures T_k in the elongation of a body between the
+/// axial positions `from` and `to` [m/K]:
 ///
 ///   u = ∫ α ΔT dz = sum w_k (T_k - T0),
 ///
-/// The mean of α ΔT over a cross-section is weighted by E A, because plane sections remain plane.
-/// Domain: both planes are lines of the grid; weights outside the body are zero.
+/// T0 is the mounting temperature. The mean of α ΔT over a cross-section is weighted by E A,
+/// because plane sections remain plane. The result has `nodes` elements.
+/// Domain: both positions are grid lines of the mesh. Weights outside this length of the body are
+///         zero. If `to` < `from`, the weights are negative.
 [[nodiscard]] Vector expansion_row(const Mesh& mesh, Body body, double from, double to,
                                    Eigen::Index nodes);
 

@@ -7,11 +7,11 @@
 #include "record/units.h"
 
 /// Computes heat transfer between solids and flowing fluids. Most functions contain one correlation
-/// and return a heat transfer coefficient in W/(m² K). If two temperatures are equal, the results
-/// are still finite and not negative.
+/// and return a heat transfer coefficient [W/(m² K)]. The results are finite and not negative, also
+/// for equal temperatures of solid and fluid.
 namespace raceway::spindle {
 
-/// Properties of a fluid at one temperature.
+/// Thermal properties and viscosity of a fluid at one temperature.
 struct FluidProperties {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double conductivity = unset;         ///< [W/(m K)]
@@ -21,13 +21,13 @@ struct FluidProperties {
   [[nodiscard]] bool operator==(const FluidProperties&) const = default;
 };
 
-/// Returns the properties of dry air at 1 bar.
+/// Returns the properties of dry air at 1 bar and the temperature T [K].
 ///
 ///   μ = 1.458e-6 T^1.5/(T + 110.4),   λ = 2.64638e-3 T^1.5/(T + 245.4 10^(-12/T))
 ///
-/// Source:   Sutherland's forms with the constants of the US Standard Atmosphere 1976; ideal gas, c
-///           = 1006 J/(kg K).
-/// Domain:   T from 200 to 600 K; outside, the nearest limit is used.
+/// Source:   Sutherland's formulas with the constants of the US Standard Atmosphere 1976; ideal
+///           gas, c = 1006 J/(kg K).
+/// Domain:   T from 200 to 600 K. Outside this range, the nearer limit replaces T.
 /// Accuracy: 1 % for viscosity and conductivity, 0.5 % for the heat capacity c below 400 K.
 [[nodiscard]] inline FluidProperties air_properties(double temperature) {
   constexpr double pressure = 1e5, gas_constant = 287.05, heat_capacity = 1006.0;
@@ -43,10 +43,11 @@ struct FluidProperties {
           .heat_capacity = heat_capacity};
 }
 
-/// Returns the properties of a fluid at a temperature [K]. Formulas and sources: film.cpp.
+/// Returns the properties of a fluid at a temperature [K]. The file film.cpp gives formulas and
+/// sources.
 [[nodiscard]] FluidProperties fluid_properties(model::Fluid fluid, double temperature);
 
-/// Gravity g in the correlations [m/s²].
+/// Acceleration of gravity g in the correlations [m/s²].
 inline constexpr double gravity = 9.81;
 /// Stefan-Boltzmann constant, CODATA 2018 [W/(m² K⁴)].
 inline constexpr double stefan_boltzmann = 5.670374419e-8;
@@ -59,8 +60,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
          (film_temperature * nu * nu);
 }
 
-/// Returns the common form of both laws of Churchill and Chu, (c + 0.387 Ra^(1/6)/(1 +
-/// (d/Pr)^(9/16))^(8/27))².
+/// Returns the Nusselt number in the common form of both laws of Churchill and Chu, (c + 0.387
+/// Ra^(1/6)/(1 + (d/Pr)^(9/16))^(8/27))² [1], with c = `still` and d = `prandtl_constant`.
 [[nodiscard]] inline double churchill_chu(double still, double prandtl_constant, double rayleigh,
                                           double prandtl) {
   const double fluid = std::pow(1.0 + std::pow(prandtl_constant / prandtl, 9.0 / 16.0), 8.0 / 27.0);
@@ -73,16 +74,15 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///   Nu = (0.60 + 0.387 Ra^(1/6)/(1 + (0.559/Pr)^(9/16))^(8/27))²,   on the diameter
 ///
 /// Source:   Churchill and Chu (Int J Heat Mass Transfer 18, 1975, p. 1049).
-/// Domain:   Ra from 1e-5 to 1e12; without a temperature difference, the result is 0.36 λ/D.
-/// Accuracy: about 10 %; surrounding machine parts have a larger influence.
+/// Domain:   Ra from 1e-5 to 1e12. Without a temperature difference, the result is 0.36 λ/D.
+/// Accuracy: about 10 %. The influence of neighbouring machine parts is larger.
 [[nodiscard]] inline double free_cylinder(double diameter, double difference,
                                           double film_temperature, const FluidProperties& gas) {
   const double ra = rayleigh(diameter, difference, film_temperature, gas);
   return churchill_chu(0.60, 0.559, ra, gas.prandtl) * gas.conductivity / diameter;
 }
 
-/// Returns the free convection coefficient of a vertical wall with this height, for example an end
-/// face [W/(m² K)].
+/// Returns the free convection coefficient of a vertical wall, for example an end face [W/(m² K)].
 ///
 ///   Nu = (0.825 + 0.387 Ra^(1/6)/(1 + (0.492/Pr)^(9/16))^(8/27))²,   on the height
 ///
@@ -101,8 +101,10 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///                     anderson_saunders Nu = 0.1 Re^(2/3)
 ///
 /// Source:   Becker 1963; Kendoush 1996; Anderson and Saunders 1953.
-/// Domain:   speed >= 0; zero at standstill, where free convection is larger (turning_shaft()).
-/// Accuracy: the three laws differ by a factor of 1.7 for a shaft of 80 mm at 10 000 rpm.
+/// Domain:   speed >= 0. The result is zero at standstill; turning_shaft() includes free
+///           convection.
+/// Accuracy: the three laws differ by a factor of up to 1.7 for a shaft of 80 mm diameter at 10 000
+///           rpm.
 [[nodiscard]] inline double rotating_shaft(model::RotatingConvection law, double speed,
                                            double diameter, const FluidProperties& gas) {
   const double re = speed * diameter * diameter / (2.0 * gas.kinematic_viscosity);
@@ -121,7 +123,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return nusselt * gas.conductivity / diameter;
 }
 
-/// Returns the larger coefficient of rotating_shaft() and free_cylinder() [W/(m² K)].
+/// Returns the larger heat transfer coefficient of rotating_shaft() and free_cylinder() [W/(m² K)].
 [[nodiscard]] inline double turning_shaft(model::RotatingConvection law, double speed,
                                           double diameter, double difference,
                                           double film_temperature, const FluidProperties& gas) {
@@ -129,8 +131,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
                   free_cylinder(diameter, difference, film_temperature, gas));
 }
 
-/// Returns the Taylor number of the gap between a rotating and a fixed cylinder, Ta = ω² r_m δ³/ν²
-/// [1], at the arithmetic mean radius.
+/// Returns the Taylor number of the gap δ between a rotating and a fixed cylinder, Ta = ω² r_m
+/// δ³/ν² [1]. r_m is the arithmetic mean of both radii.
 [[nodiscard]] inline double taylor_number(double inner_radius, double outer_radius, double speed,
                                           const FluidProperties& gas) {
   const double gap = outer_radius - inner_radius;
@@ -138,17 +140,18 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return root * root * 0.5 * (inner_radius + outer_radius) * gap * gap * gap;
 }
 
-/// Returns the conductance of the gap between a rotating and a fixed cylinder, from surface to
-/// surface [W/(m² K)], relative to the area at the mean radius.
+/// Returns the thermal conductance of the gap δ between a rotating and a fixed cylinder [W/(m² K)].
+/// The conductance is the heat flow between both surfaces per kelvin and per area at the mean
+/// radius.
 ///
 ///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 above 1700,   0.409 Ta^0.241 above 1e4
 ///
-/// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with 2 δ and the
-///           temperatures of both surfaces. A program that uses λ/δ instead of λ/(2 δ) computes
-///           twice this conductance.
-/// Domain:   no axial flow. The published pieces have a step of 2 % at 1700 and of 0.1 % at 1e4.
-///           Here the law changes from piece to piece where the pieces intersect, at 1790 and
-///           1.01e4, because a step could stop an iteration.
+/// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with the length 2 δ
+///           and the temperatures of both surfaces. A program that computes h from λ/δ instead of
+///           λ/(2 δ) gets twice this conductance.
+/// Domain:   no axial flow. The published law jumps by 2 % at Ta = 1700 and by 0.1 % at Ta = 1e4.
+///           This function is continuous, because a jump could stop an iteration: it changes from
+///           formula to formula where the formulas intersect, at Ta = 1790 and 1.01e4.
 /// Accuracy: about 15 % for smooth surfaces.
 [[nodiscard]] inline double annular_gap(double inner_radius, double outer_radius, double speed,
                                         const FluidProperties& gas) {
@@ -158,17 +161,18 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return nusselt * gas.conductivity / (2.0 * (outer_radius - inner_radius));
 }
 
-/// Returns the mean Nusselt number of the flow through a channel [1], based on its hydraulic
-/// diameter.
+/// Returns the mean Nusselt number of the flow through a channel of length l [1]. Nu and Re are
+/// based on the hydraulic diameter d.
 ///
 ///   Re <= 2300   (3.66³ + 0.7³ + (1.615 (Re Pr d/l)^(1/3) - 0.7)³)^(1/3)
 ///   Re >= 4000   (ξ/8) Re Pr/(1 + 12.7 (ξ/8)^(1/2) (Pr^(2/3) - 1)) (1 + (d/l)^(2/3)),
 ///                ξ = (1.8 lg Re - 1.5)^-2;      linear in Re between
 ///
-/// Source:   VDI-Wärmeatlas 2002, G1 (walls of one temperature; Gnielinski); the formula was not
-///           checked against the printed edition. Gnielinski's older formula contains Re - 1000 and
-///           gives 10 % less.
-/// Domain:   Re up to 1e6, straight and smooth channel; the flow in a helix mixes better.
+/// Source:   VDI-Wärmeatlas 2002, G1 (walls of one temperature; Gnielinski). The formula was not
+///           checked against the printed edition. Gnielinski's older formula, which contains Re -
+///           1000, gives 10 % less.
+/// Domain:   Re up to 1e6, straight and smooth channel. A helical channel has a larger Nusselt
+///           number.
 [[nodiscard]] inline double channel_nusselt(double reynolds, double prandtl,
                                             double diameter_by_length) {
   const auto laminar = [&](double re) {
@@ -189,8 +193,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return (1.0 - share) * laminar(lowest) + share * turbulent(highest);
 }
 
-/// Returns Darcy's friction factor of a channel with rectangular section [1]. a is the ratio of its
-/// sides.
+/// Returns Darcy's friction factor of a channel with rectangular section [1]. a is the ratio of the
+/// shorter to the longer side.
 ///
 ///   Re <= 2300   96 (1 - 1.3553 a + 1.9467 a² - 1.7012 a³ + 0.9564 a⁴ - 0.2537 a⁵)/Re
 ///   Re >= 4000   (1.8 lg Re - 1.5)^-2;      linear in Re between
@@ -198,9 +202,9 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// Source:   Shah and London 1978 (laminar), Konakov 1946 as in channel_nusselt().
 /// Domain:   Re > 0, 0 < a <= 1, straight and smooth channel.
 /// Accuracy: the factor agrees with tables within 0.1 % in laminar flow, and with Prandtl's law of
-///           smooth pipes within 1.5 % up to Re = 1e6. A helix has a larger factor: its secondary
-///           flow adds some tens of percent in turbulent flow, and several times as much in laminar
-///           flow.
+///           smooth pipes within 1.5 % up to Re = 1e6. A helical channel has a larger factor. Its
+///           secondary flow increases the factor by some tens of percent in turbulent flow, and by
+///           several times as much in laminar flow.
 [[nodiscard]] inline double channel_friction(double reynolds, double aspect) {
   const auto laminar = [&](double re) {
     const double a = aspect;
@@ -218,7 +222,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return (1.0 - share) * laminar(lowest) + share * turbulent(highest);
 }
 
-/// A helical channel with a rectangular section of width w and depth d, unrolled to a straight
+/// Helical channel with a rectangular section of width w and depth d, calculated as a straight
 /// channel.
 struct Channel {
   double section = unset;             ///< area w d of the section [m²]
@@ -228,15 +232,15 @@ struct Channel {
   [[nodiscard]] double reynolds(double flow, const FluidProperties& fluid) const {
     return flow / section * hydraulic_diameter / fluid.kinematic_viscosity;
   }
-  /// Returns the heat transfer coefficient at the walls of the channel for a flow [W/(m² K)].
+  /// Returns the heat transfer coefficient at the channel walls for a flow in m³/s [W/(m² K)].
   [[nodiscard]] double film(double flow, const FluidProperties& fluid) const {
     return channel_nusselt(reynolds(flow, fluid), fluid.prandtl, hydraulic_diameter / length) *
            fluid.conductivity / hydraulic_diameter;
   }
 };
 
-/// Returns the channel of a coolant. The length of each turn is the hypotenuse of the circumference
-/// and the pitch.
+/// Returns the channel of a coolant circuit. The square of the length of a turn is the sum of the
+/// squares of circumference and pitch.
 [[nodiscard]] inline Channel channel_of(const model::Coolant& c) {
   const double turns = std::abs(c.end - c.start) / c.pitch;
   return {.section = c.channel_width * c.channel_depth,
@@ -245,16 +249,17 @@ struct Channel {
           .length = turns * std::hypot(pi * c.diameter, c.pitch)};
 }
 
-/// Returns the heat transfer coefficient of a coolant at its mean temperature [W/(m² K)], for the
-/// flow or, if the coolant is off, for the standing fluid. The coefficient never falls below the
-/// value of the standing fluid, because standing fluid also conducts heat.
+/// Returns the heat transfer coefficient at the channel walls for a mean coolant temperature in K
+/// [W/(m² K)]. If the coolant is off, the result is the coefficient `stagnant` of standing fluid. A
+/// flowing coolant never has a smaller coefficient than standing fluid.
 [[nodiscard]] inline double coolant_film(const model::Coolant& c, double temperature, bool on) {
   if (!on || !(c.flow > 0.0)) return c.stagnant;
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));
 }
 
-/// Returns the conductance between the mean and the inlet temperature of a coolant, 2 V ρ c [W/K];
-/// zero if the coolant is off. The mean lies halfway between inlet and outlet temperature.
+/// Returns 2 V ρ c [W/K], which gives the heat that a coolant flow V removes if multiplied by mean
+/// minus inlet temperature. The mean temperature lies halfway between inlet and outlet. The result
+/// is zero if the coolant is off.
 [[nodiscard]] inline double coolant_conductance(const model::Coolant& c, double temperature,
                                                 bool on) {
   if (!on) return 0.0;
@@ -264,7 +269,7 @@ struct Channel {
 
 inline constexpr double bar = 1e5;  ///< [Pa]
 
-/// Flow of a coolant through its channel.
+/// Velocity, heat transfer and pressure drops of a coolant in its channel.
 struct ChannelFlow {
   double velocity = unset;       ///< mean velocity [m/s]
   double reynolds = unset;       ///< [1]
@@ -273,12 +278,12 @@ struct ChannelFlow {
   double throttle_drop = 0.0;    ///< pressure drop of the orifice behind the channel [Pa]
 };
 
-/// Computes the flow at a mean temperature of the coolant [K].
+/// Computes velocity, heat transfer and pressure drops at a mean temperature of the coolant [K].
 ///
 ///   Δp = ξ (l/d_h) ρ v²/2;   throttle  Δp = ρ/2 (V/(0.61 A))²
 ///
-/// Source:   Darcy and Weisbach. The factor 0.61 is valid for a sharp orifice much smaller than its
-///           pipe, within 2 % of ISO 5167.
+/// Source:   Darcy and Weisbach. The factor 0.61 is within 2 % of ISO 5167 for a sharp-edged
+///           orifice that is much smaller than the pipe.
 /// Domain:   flow > 0. Bends, fittings and hoses are neglected.
 [[nodiscard]] inline ChannelFlow channel_flow(const model::Coolant& c, double temperature) {
   constexpr double sharp_orifice = 0.61;
@@ -300,8 +305,8 @@ struct ChannelFlow {
   return flow;
 }
 
-/// Returns the heat transfer coefficient of radiation to large surroundings [W/(m² K)];
-/// temperatures in K.
+/// Returns the heat transfer coefficient of radiation to large surroundings [W/(m² K)]. The
+/// temperature T of the surface and T0 of the surroundings are in K.
 ///
 ///   h = ε σ (T² + T0²)(T + T0)
 ///
@@ -311,8 +316,8 @@ struct ChannelFlow {
          (temperature + surroundings);
 }
 
-/// Returns the heat transfer coefficient of radiation between two long grey cylinders, one inside
-/// the other, relative to the area of the inner one [W/(m² K)].
+/// Returns the heat transfer coefficient of radiation between two long grey coaxial cylinders, per
+/// area of the inner cylinder [W/(m² K)].
 ///
 ///   1/ε = 1/ε_i + (r_i/r_o)(1/ε_o - 1)
 ///

@@ -9,9 +9,9 @@
 
 namespace raceway::spindle {
 
-/// Thermal state of a spindle, which advances in time steps or settles to a steady state.
+/// Temperatures of a spindle, computed by time steps or at the steady state.
 ///
-/// The model is a mesh of cells together with the sets, or a network of bodies without sets.
+/// The model is a mesh of cells with bearing sets, or a network of thermal bodies without bearings.
 class HeatFlow {
  public:
   HeatFlow(const model::Model& model, const effects::SpindleCondition& condition,
@@ -19,36 +19,38 @@ class HeatFlow {
   HeatFlow(const HeatFlow&) = delete;
   HeatFlow& operator=(const HeatFlow&) = delete;
 
-  /// Result of a step.
+  /// Result of one time step.
   struct Step {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt [K/s]
-    double error = 0.0;              ///< estimated error of the worst body [K]; 0 if not requested
-    double energy_error = unset;     ///< stored minus supplied heat, relative to all heat flows [1]
+    double error = 0.0;  ///< largest estimated temperature error of a body [K]; 0 if not requested
+    /// |stored - supplied heat| divided by the sum of all heat flows [1].
+    double energy_error = unset;
     std::array<double, reservoirs> out_before{}, out_after{};  ///< [W]
   };
 
-  /// Sets all bodies to one temperature.
+  /// Sets all bodies to one temperature [K]. Bodies of a network with fixed temperature keep their
+  /// own temperature.
   void start(double temperature);
   void start(const Vector& temperatures) { temperatures_ = temperatures; }
-  /// Sets the inputs of the sets. Returns false if the sets have no equilibrium.
+  /// Sets speed and loads of the bearing sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Advances by dt [s] under `inputs`, whose speed and loads must equal the values of the last
-  /// set_inputs(). Heat transfer coefficients, seats, and the bearing loads from radial loads on
-  /// the shaft are computed at the temperatures in `films`. The state changes only if the status is
-  /// `converged`.
+  /// Advances the temperatures by dt [s]. Speed and loads in `inputs` must equal the last argument
+  /// of set_inputs(). Heat transfer coefficients, ring seats, and bearing loads from radial loads
+  /// on the shaft are computed at the temperatures `films` [K]. `machine_rise` is the drift of the
+  /// machine temperature [K]. The temperatures change only if the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
-  /// Finds the steady state under these inputs. `iterations` counts the updates of heat transfer
-  /// coefficients and seats.
+  /// Finds the steady state for these inputs. `iterations` receives the number of updates of heat
+  /// transfer coefficients and ring seats.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
-  /// Returns the long-term gain of the loop heat -> temperature -> preload -> heat at this state
-  /// [1].
+  /// Returns the steady-state gain of the feedback loop heat -> temperature -> preload -> heat at
+  /// the present temperatures [1]; NaN without bearings.
   [[nodiscard]] double gain();
 
   [[nodiscard]] const Vector& temperatures() const { return temperatures_; }
   [[nodiscard]] const Vector& felt() const { return felt_; }
-  /// Returns the heat of the raceways in the order of BearingCoupling [W].
+  /// Returns the heat into the raceways, the vector y of BearingCoupling [W].
   [[nodiscard]] const Vector& given() const { return given_; }
   [[nodiscard]] const HeatPaths& paths() const { return system_ ? system_->paths() : network_; }
   [[nodiscard]] const ThermalSystem* system() const { return system_.get(); }
@@ -57,7 +59,7 @@ class HeatFlow {
   [[nodiscard]] double driven_heat() const {
     return system_ ? system_->driven_heat() : network_.source.sum();
   }
-  /// Limit of ring temperatures [K]. Above this limit, the simulation stops with the status
+  /// Limit of ring temperatures [K]. If a ring is warmer, the simulation stops with the status
   /// `thermal_runaway`.
   static constexpr double hottest_ring = kelvin(300.0);
 

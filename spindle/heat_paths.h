@@ -10,7 +10,7 @@
 
 namespace raceway::spindle {
 
-/// Destinations of heat that leaves the spindle.
+/// Surroundings that receive the heat of the spindle.
 enum class Reservoir { air, machine, coolant };
 inline constexpr std::size_t reservoirs = 3;
 
@@ -18,11 +18,12 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Bodies that store heat, and the heat paths between them and to reservoirs:
+/// Bodies that store heat, the heat paths between bodies, and the heat paths to reservoirs at the
+/// temperatures T_r:
 ///
 ///   C_i dT_i/dt = sum G_ij (T_j - T_i) + sum G_ir (T_r - T_i) + q_i
 ///
-/// After a solver is made from the paths, conductances may change, but no path may be added.
+/// After the construction of a solver, conductances may change, but paths must not be added.
 struct HeatPaths {
   struct Link {
     int first, second;
@@ -32,13 +33,13 @@ struct HeatPaths {
     int node;
     Reservoir reservoir;
     double conductance;  ///< [W/K]
-    double above = 0.0;  ///< temperature rise above the reservoir [K]
+    double above = 0.0;  ///< added to the temperature of the reservoir [K]
     [[nodiscard]] double outside(const std::array<double, reservoirs>& temperature) const {
       return temperature[static_cast<std::size_t>(reservoir)] + above;
     }
   };
   Vector capacity;  ///< [J/K], > 0
-  Vector source;    ///< heat sources that do not depend on temperatures [W]
+  Vector source;    ///< heat sources, independent of temperatures [W]
   std::vector<Link> links;
   std::vector<Outlet> outlets;
   /// temperature of each reservoir [K]
@@ -49,7 +50,7 @@ struct HeatPaths {
   [[nodiscard]] std::array<double, reservoirs> outflow(const Vector& temperatures) const;
   /// Returns the heat flow from all paths and sources into each body [W].
   [[nodiscard]] Vector inflow(const Vector& temperatures) const;
-  /// Returns the part of inflow() that does not depend on body temperatures [W].
+  /// Returns the terms of inflow() that do not depend on body temperatures [W].
   [[nodiscard]] Vector constant_inflow() const;
 };
 

@@ -9,17 +9,18 @@ namespace raceway::spindle {
 
 enum class Body { shaft, inner_ring, outer_ring, spacer, housing };
 
-/// A full ring of one material with rectangular section.
+/// Ring-shaped or cylindrical body of one material with a rectangular section.
 struct Region {
   Body body = Body::shaft;
-  int bearing = -1;                   ///< index of the bearing for a ring, front set first
+  int bearing = -1;  ///< index of the bearing, front set first; -1: not a bearing ring
   double start = unset, end = unset;  ///< distance behind the nose face [m]
-  double inner_radius = unset, outer_radius = unset;  ///< [m]; 0 for a full cylinder
+  /// [m]; the inner radius of a solid cylinder is 0.
+  double inner_radius = unset, outer_radius = unset;
   model::SolidMaterial material = model::steel_of_shafts;
-  double solid_share = 1.0;  ///< solid share of its section; the remainder is a channel [1]
+  double solid_share = 1.0;  ///< solid share of the section; the rest is coolant channel [1]
 };
 
-/// A cell: part of a region or the whole region.
+/// Cell of the mesh, which is a region or a part of a region.
 struct Cell : Region {
   int region = -1;
   int column = -1, row = -1;  ///< column and row in the grid
@@ -27,54 +28,56 @@ struct Cell : Region {
   [[nodiscard]] double length() const { return end - start; }
   [[nodiscard]] double section() const;        ///< solid section across the axis [m²]
   [[nodiscard]] double heat_capacity() const;  ///< [J/K]
-  /// Returns the resistance from the middle to a face normal to the axis [K/W].
+  /// Returns the thermal resistance from the middle to a face normal to the axis [K/W].
   [[nodiscard]] double half_axial_resistance() const;
-  /// Returns the resistance from the middle radius to the inner or outer face, ln(r_f/r_m)/(2 π λ
-  /// L) [K/W].
+  /// Return the thermal resistance between the middle radius r_m and the inner or outer face r_f,
+  /// |ln(r_f/r_m)|/(2 π λ L) [K/W]. The inner resistance of a solid cylinder is infinite.
   [[nodiscard]] double inner_half_resistance() const;
   [[nodiscard]] double outer_half_resistance() const;
   [[nodiscard]] double middle_radius() const { return 0.5 * (inner_radius + outer_radius); }
 };
 
-/// Contact of two cells: through a face normal to the axis (`axial`) or through a cylindrical face.
+/// Common face of two cells. The face is normal to the axis if `axial` is true, otherwise
+/// cylindrical.
 struct Touch {
   int first = -1, second = -1;
   bool axial = true;
-  double area = unset;                             ///< [m²]
-  double first_half = unset, second_half = unset;  ///< resistances to the common face [K/W]
+  double area = unset;  ///< [m²]
+  /// Thermal resistances from the middle of each cell to the face [K/W].
+  double first_half = unset, second_half = unset;
 };
 
-/// A face of a cell without a neighbour.
+/// Face of a cell that has no neighbour at this face.
 struct OpenFace {
   int cell = -1;
   enum class Side { front, rear, inner, outer } side = Side::outer;
   double area = unset;  ///< [m²]
-  double half = unset;  ///< resistance from the middle of the cell [K/W]
+  double half = unset;  ///< thermal resistance from the middle of the cell to the face [K/W]
   /// Returns true for a cylindrical face.
   [[nodiscard]] bool radial() const { return side == Side::inner || side == Side::outer; }
 };
 
-/// Axisymmetric cells on one grid.
+/// Axisymmetric cells on a common grid of axial and radial lines.
 struct Mesh {
   std::vector<Cell> cells;
   std::vector<Touch> touches;
   std::vector<OpenFace> open;
 
   [[nodiscard]] std::size_t size() const { return cells.size(); }
-  /// Returns the cell of a body at a place, or the cell of the body that is nearest to the place;
-  /// -1 if the mesh has no cell of the body.
+  /// Returns the index of the cell of a body that is nearest to `position` [m] and `radius` [m]; -1
+  /// if the mesh has no cell of the body.
   [[nodiscard]] int nearest(Body body, double position, double radius) const;
 };
 
-/// Divides regions into cells. The grid has lines at the edges of all regions and at `lines`.
-/// Further lines limit the size of all cells to `axial` along the axis and to `radial` across it.
+/// Divides regions into cells. The grid has lines at the edges of all regions and at the axial
+/// positions `lines` [m]. More lines limit the cells to the length `axial` and the thickness
+/// `radial` [m].
 ///
-/// Domain: regions do not overlap. Throws std::invalid_argument for a region without volume.
+/// Domain: regions must not overlap. Throws std::invalid_argument for a region without volume.
 [[nodiscard]] Mesh make_mesh(std::span<const Region> regions, double axial, double radial,
                              std::span<const double> lines = {});
 
-/// Returns the conductance between touching cells of one solid, from their half resistances in
-/// series [W/K].
+/// Returns the thermal conductance between two neighbouring cells of one solid part [W/K].
 [[nodiscard]] inline double conductance_of(const Touch& touch) {
   return 1.0 / (touch.first_half + touch.second_half);
 }

@@ -13,19 +13,19 @@ struct RadialTemperature {
   double temperature = unset;  ///< [K]
 };
 
-/// Shaft or ring between two planes, free at both planes.
+/// Shaft or ring section with free ends.
 struct RoundPart {
   model::SolidMaterial material = {};
-  /// At least two places from the bore to the surface, with rising radii. The first radius of a
-  /// full cylinder is 0. The temperature is linear in ln r between two places, and uniform next to
-  /// the axis.
+  /// Temperatures at two or more ascending radii, from the bore to the outer surface. For a solid
+  /// cylinder, the first radius is 0. Between two radii, the temperature is linear in ln r. Next to
+  /// the axis of a solid cylinder, the temperature is uniform.
   std::vector<RadialTemperature> profile = {};
   double bore_pressure = 0.0, surface_pressure = 0.0;  ///< [Pa]
   double speed = 0.0;                                  ///< [rad/s]
 };
 
-/// Returns the stresses of a part in generalised plane strain without axial force, at the radii of
-/// its profile.
+/// Returns the stresses of a part at the radii of its temperature profile. The part is in
+/// generalised plane strain without axial force.
 ///
 ///   heat      J(r) = ∫ T r dr from a,   k = E α/(1 - ν)
 ///             σr = k ((r² - a²)/(b² - a²) J(b) - J(r))/r²
@@ -35,13 +35,14 @@ struct RoundPart {
 ///             σθ = c (a² + b² + a² b²/r² - (1 + 2ν)/(3 - 2ν) r²)
 ///             σz = ρ ω² ν/(2 (1 - ν)) ((a² + b²)/2 - r²)
 ///
-/// with a < r < b. The superposition is exact, because an axial stress without a resultant does not
-/// change the growth of the surfaces in press_fit().
+/// a and b are the radii of bore and outer surface, with the pressures p_a and p_b. The three
+/// stress fields are added. The sum is exact, because an axial stress without resultant does not
+/// change the radial growth in press_fit().
 /// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
 ///           (fit), the rotating disc in plane strain (rotation).
-/// Domain:   places several wall thicknesses away from ends, steps and grooves of the part.
-/// Accuracy: exact to rounding for a wall with steady heat flow; otherwise limited by the accuracy
-///           of the temperatures.
+/// Domain:   sections several wall thicknesses away from ends, steps and grooves of the part.
+/// Accuracy: exact to rounding for steady radial heat flow. Otherwise the given temperatures limit
+///           the accuracy.
 [[nodiscard]] std::vector<Stress> stresses_of(const RoundPart& part);
 
 }  // namespace raceway::spindle

@@ -5,34 +5,34 @@
 
 #include "record/units.h"
 
-/// Fits gain and time constant of step responses as functions of the power loss P or of a load.
+/// Fits gain K and time constant T of step responses as functions of the power loss P or of a load.
 namespace raceway::spindle {
 
-/// value = slope P + offset, by unweighted least squares.
+/// Straight line, value = slope P + offset, fitted by unweighted least squares.
 struct StraightLine {
   double slope = unset, offset = unset;
-  /// Standard errors, from the residual; NaN with fewer than three points.
+  /// Standard errors of slope and offset, from the residuals; NaN with fewer than three points.
   double slope_std = unset, offset_std = unset;
   [[nodiscard]] double operator()(double power) const { return slope * power + offset; }
 };
 
-/// value = factor P^exponent, by least squares of logarithms, so all points have equal relative
-/// weight.
+/// Power law, value = factor P^exponent, fitted by least squares of logarithms. All points
+/// therefore have equal relative weight.
 struct PowerLaw {
   double factor = unset, exponent = unset;
   double exponent_std = unset;
-  double rms = unset;  ///< rms residual relative to the value [1]
+  double rms = unset;  ///< RMS of residual divided by value [1]
   [[nodiscard]] double operator()(double power) const;
 };
 
-/// Curve of cubics through points. The curve has maxima and minima only at the points. Outside the
-/// points, the end values are used.
+/// Piecewise cubic curve through points (x, y). The curve has maxima and minima only at the points.
+/// Below the first and above the last x, the curve is constant.
 ///
 /// Source:   [FritschCarlson1980].
 class MonotoneCurve {
  public:
   /// Throws std::invalid_argument if there are no points, if x and y have different lengths, or if
-  /// x is not in ascending order.
+  /// x is not strictly ascending.
   MonotoneCurve(std::vector<double> x, std::vector<double> y);
   [[nodiscard]] double operator()(double x) const;
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
@@ -42,36 +42,38 @@ class MonotoneCurve {
   std::vector<double> x_, y_, slope_;
 };
 
-/// Gain and time constant at one power or load.
+/// Gain and time constant of a step response at one power loss or load.
 struct LagAt {
-  double input = unset;          ///< [W], [N]
+  double input = unset;          ///< power loss [W] or load [N]
   double gain = unset;           ///< [m]
   double time_constant = unset;  ///< [s]
 };
 
-/// Laws K(P) and T(P). All values are NaN for fewer than two different powers.
+/// Laws for the gain K(P) and the time constant T(P). All values are NaN for fewer than two
+/// different values of P.
 ///
-/// Source:   lines from [Brecher2021, eq. 8 and 9].
-/// Traps:    a straight line is only a chord of the true curve. K(0) of a line has no physical
-///           meaning, and T of a line may reach zero.
+/// Source:   straight lines from [Brecher2021, eq. 8 and 9].
+/// Traps:    a straight line is only a chord of the true curve. K(0) of the line has no physical
+///           meaning, and T of the line may become zero.
 struct PowerLaws {
-  StraightLine gain_line = {}, time_line = {};  ///< [m/W], [m]; [s/W], [s]
-  PowerLaw gain_power = {}, time_power = {};    ///< NaN if a power is 0 or if signs differ
-  /// Range of P in which both lines have the same sign as between the points [W]; from 0 to
-  /// infinity if the sign never changes.
+  StraightLine gain_line = {}, time_line = {};  ///< slopes [m/W], [s/W]; offsets [m], [s]
+  PowerLaw gain_power = {}, time_power = {};    ///< NaN if a P is not above 0 or if signs differ
+  /// Range of P >= 0 in which the gain line has the sign of the gains and the time line is
+  /// positive [W]. `valid_to` may be infinite.
   double valid_from = unset, valid_to = unset;
 };
 
-/// Fits laws to points in any order. Throws std::invalid_argument for a negative power and for a
-/// value that is not finite.
+/// Fits laws over the power loss to points in any order. Throws std::invalid_argument for a
+/// negative power and for a value that is not finite.
 [[nodiscard]] PowerLaws fit_power_laws(std::span<const LagAt> points);
-/// Fits laws over loads, which may have either sign.
+/// Fits laws over a load, which may be positive or negative. The load replaces P in the laws.
 [[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
-/// Returns a curve of K through all points and through K(0) = 0. Points with equal power or load
-/// are averaged.
+/// Returns a curve of the gain K through all points and through K(0) = 0. Points with equal power
+/// or load are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
-/// Returns a curve of T through all points. `at_rest` [s] is the value at 0, if it is known.
+/// Returns a curve of the time constant T through all points. `at_rest` is T at zero power or
+/// load [s]; NaN if unknown.
 [[nodiscard]] MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest = unset);
 
 }  // namespace raceway::spindle

@@ -7,18 +7,19 @@
 
 namespace raceway::spindle {
 
-/// Returns the rows of a record or of a speed programme in SI. Temperatures, motor heat and belt
-/// force without a column are NaN, which means the value of the model. A motor power without a
-/// column is unknown. Other loads without a column are 0, and a coolant without a column is on.
-/// Throws std::invalid_argument if a time or a speed is missing or not a number, if the times do
-/// not rise, or if the record is longer than 10 years. The message gives the row.
+/// Returns the rows of a record or of a speed programme in SI units. If the record has no column
+/// for a temperature, the motor heat or the belt force, the input is NaN, and the model gives the
+/// value. A motor power without a column is unknown (NaN). Other loads without a column are 0, and
+/// a coolant without a column is on. Throws std::invalid_argument if the column of time or speed is
+/// missing, if an input has no number in a row, if the times do not increase, or if the record is
+/// longer than 10 years.
 [[nodiscard]] std::vector<ProfileRow> profile_of(const record::Record& record);
 
-/// Returns the channels that can be compared with a simulation: the sensors in the order of the
-/// model, then the displacement (not for a network).
+/// Returns the channels that a simulation predicts: the sensors in the order of the model, then the
+/// axial displacement. A network has no displacement.
 [[nodiscard]] std::vector<const record::Channel*> measured_channels(const model::Spindle& spindle);
 
-/// Returns the simulated readings of measured_channels() at one moment, in the same order [SI].
+/// Returns the simulated readings at one time, in the order of measured_channels() [SI].
 [[nodiscard]] std::vector<double> readings_of(const Moment& moment, const model::Spindle& spindle);
 
 }  // namespace raceway::spindle

@@ -12,21 +12,23 @@
 
 namespace raceway::spindle {
 
-/// The sets of a spindle at one speed, prepared for the beam.
+/// Bearing sets of a spindle at one speed, as supports of the shaft beam.
 struct SetsAtSpeed {
   Status status = Status::not_run;  ///< no_equilibrium if the sets or a bearing have no equilibrium
   std::string message = {};
-  bearing::ArrangementCondition condition = {};  ///< includes growth by speed and, if warm, by heat
+  /// Includes ring growth by speed and, if warm, by heat.
+  bearing::ArrangementCondition condition = {};
   bearing::ArrangementEquilibrium equilibrium = {};
-  std::vector<bearing::BearingEquilibrium> bearings = {};  ///< with 5x5 stiffness, front set first
-  std::vector<double> clearances = {};  ///< clearances of the roller bearings [m]
-  std::optional<Moment> moment = {};    ///< temperatures at the steady state; empty if cold
+  /// Equilibrium with 5x5 stiffness, front set first.
+  std::vector<bearing::BearingEquilibrium> bearings = {};
+  std::vector<double> clearances = {};  ///< diametral clearances of the roller bearings [m]
+  std::optional<Moment> moment = {};    ///< steady state of the spindle; empty if cold
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// Preload and stiffness of a spindle's sets at several speeds. Cold sets have the mounting
-/// temperature. Warm sets have the ring temperatures of the spindle at steady state. Several
-/// threads must not use one object simultaneously.
+/// Preload and stiffness of the bearing sets of a spindle at any speed. Cold sets have the mounting
+/// temperature. Warm sets have the steady-state temperatures of the spindle. Several threads must
+/// not use one object simultaneously.
 class SetsOfSpindle {
  public:
   /// Throws std::invalid_argument like Simulator and WarmSets.
@@ -36,13 +38,13 @@ class SetsOfSpindle {
 
   /// Sets a flag that cancels at(), as in Simulator::stop_on().
   void stop_on(const std::atomic<bool>* cancelled);
-  /// Returns the arrangement as mounted, with the effects of the model.
+  /// Returns the arrangement of the bearing sets as mounted, with the effects of the model.
   [[nodiscard]] const bearing::Arrangement& arrangement() const;
   [[nodiscard]] SetsAtSpeed at(const Inputs& inputs, bool warm);
 
  private:
   [[nodiscard]] bool heat(const Inputs& inputs, SetsAtSpeed& sets);
-  /// Returns the radial clearances of the roller bearings [m].
+  /// Returns the diametral clearances of the roller bearings [m].
   [[nodiscard]] std::vector<double> clearances(double speed,
                                                const std::optional<Moment>& warm) const;
 

@@ -7,21 +7,22 @@
 
 namespace raceway::spindle {
 
-/// Returns the radial loads on the shaft of a spindle: force and moment at the nose in the plane of
-/// y, then the belt load if there is one. The axial load is not included.
+/// Returns the radial loads on the shaft of a spindle. The first element is the force and moment at
+/// the nose in the plane of y. The second element is the belt load, if the model has a belt. The
+/// axial load is not included.
 [[nodiscard]] std::vector<ShaftLoad> shaft_loads(const model::Spindle& spindle,
                                                  const Inputs& inputs);
-/// Returns the places at which the loads of shaft_loads() act [m].
+/// Returns the positions of the loads of shaft_loads() [m].
 [[nodiscard]] std::vector<double> load_places(const model::Spindle& spindle);
 
 /// Returns the centres of the bearings of the sets on the shaft, front set first [m].
 [[nodiscard]] std::vector<double> bearing_places(const model::Spindle& spindle);
 
-/// Returns all bearings that support the shaft of a spindle. The result stores pointers to both
-/// arguments.
+/// Returns all bearings that support the shaft of a spindle. The result stores pointers into both
+/// arguments, so they must outlive it.
 [[nodiscard]] ShaftBearings bearings_of_shaft(const model::Spindle& spindle,
                                               const bearing::Arrangement& sets);
-/// Returns the places at which the beam needs nodes: bearings and loads [m].
+/// Returns the positions of all bearings and loads [m]. The beam needs a node at each position.
 [[nodiscard]] std::vector<double> beam_places(const model::Spindle& spindle);
 
 }  // namespace raceway::spindle

@@ -11,8 +11,8 @@
 #include "effects/spindle_condition.h"
 #include "model/model.h"
 
-/// Simulates a spindle with its bearings: temperatures, expansion, preload and friction together,
-/// and the bending of the shaft.
+/// Simulates a spindle with its bearings. The simulation couples temperatures, thermal expansion,
+/// preload, friction and shaft bending.
 namespace raceway::spindle {
 
 struct LoadedShaft;
@@ -20,19 +20,20 @@ struct LoadedShaft;
 /// Outcome of a simulation.
 enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_limit };
 
-/// Returns the name in files: "thermal_runaway".
+/// Returns the name of the status in result files, such as "thermal_runaway".
 [[nodiscard]] std::string_view name(Status status);
-/// Returns the status as readable text: "the sets have no equilibrium".
+/// Returns the status in words, such as "the sets have no equilibrium".
 [[nodiscard]] std::string_view words(Status status);
 
-/// Operating conditions of a spindle. NaN means the value of the model, unless stated otherwise.
+/// Operating conditions of a spindle. Unless stated otherwise, the simulation replaces an input
+/// that is NaN by the value in the model.
 struct Inputs {
   double speed = 0.0;                  ///< [rad/s], >= 0
   double ambient_temperature = unset;  ///< [K]
   double machine_temperature = unset;  ///< [K]
   double coolant_inlet = unset;        ///< [K]
   double motor_heat = unset;           ///< [W]
-  double motor_power = unset;          ///< electrical input of the motor [W]; NaN: not given
+  double motor_power = unset;          ///< electrical input power of the motor [W]; NaN: unknown
   double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
   double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
   /// Moment at the nose in the plane of y [N m]. The moment is positive if it turns the shaft like
@@ -43,60 +44,64 @@ struct Inputs {
   [[nodiscard]] bool operator==(const Inputs&) const = default;
 };
 
-/// A row of a speed programme. The inputs of a row are valid from the time of the previous row to
-/// the time of the row.
+/// Row of a speed programme. The inputs of a row apply from the time of the previous row to the
+/// time of this row.
 struct ProfileRow {
-  double time = unset;  ///< [s], rising
+  double time = unset;  ///< [s], increases from row to row
   Inputs inputs = {};
 };
 
-/// State of one bearing on the shaft.
+/// Temperatures, forces, clearance and friction of one bearing on the shaft.
 struct BearingState {
   /// mean temperature of the ring [K]
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
   double force = unset;         ///< axial force [N]
   double radial_force = unset;  ///< [N]
-  double clearance = unset;     ///< diametral clearance of a roller bearing; negative: preload [m]
+  double clearance = unset;     ///< diametral clearance [m]; negative: preload; NaN: ball bearing
   double power = unset;         ///< friction loss of the bearing [W]
-  double power_band = 0.0;      ///< half width of the 95 % band from a friction table [W]
+  double power_band = 0.0;  ///< half width of the 95 % band of `power` from a friction table [W]
 };
 
-/// Heat balance [W]. Heat that leaves the spindle is positive.
+/// Heat balance of the spindle [W]. Heat to coolant, air and machine is positive if it leaves the
+/// spindle.
 struct HeatBalance {
   double friction = 0.0;  ///< friction of all bearings
-  /// Half width of the 95 % band from a friction table. The errors of all bearings of the sets are
-  /// taken as fully correlated.
+  /// Half width of the 95 % band of `friction` from a friction table. The errors of the bearings
+  /// are assumed to be fully correlated.
   double friction_band = 0.0;
-  double drive = 0.0;  ///< heat of motor, drive and seals
+  double drive = 0.0;  ///< heat of all sources except friction
   double coolant = 0.0, air = 0.0, machine = 0.0;
-  double stored = 0.0;  ///< stored heat per second
+  double stored = 0.0;  ///< heat that the spindle stores per second
 };
 
-/// State of a coolant circuit.
+/// Temperatures and heat flow of a coolant circuit.
 struct CircuitState {
   double inlet = unset;   ///< [K]
-  double outlet = unset;  ///< temperature at the outlet, or of standing coolant [K]
-  double heat = 0.0;      ///< heat that the flow removes [W]
+  double outlet = unset;  ///< outlet temperature; mean temperature if the coolant stands [K]
+  double heat = 0.0;      ///< heat that the coolant flow removes [W]
 };
 
-/// State of a spindle at one moment.
+/// Displacements, forces, heat flows and temperatures of a spindle at one time.
 struct Moment {
   double time = unset;          ///< [s]
   double displacement = unset;  ///< displacement of the nose face relative to the flange, positive
                                 ///< towards the tool [m]
-  double kinematic_displacement = unset;  ///< displacement of the cold sets alone at this speed [m]
-  double set_position = unset;  ///< change of the shaft position in the sets since rest [m]
-  /// Elongation of the shaft between the sets, relative to the housing [m].
+  /// Displacement of the shaft with cold bearing sets at this speed and axial load [m].
+  double kinematic_displacement = unset;
+  /// Displacement of the shaft in its bearing sets since cold standstill [m].
+  double set_position = unset;
+  /// Thermal elongation of the shaft minus the elongation of the housing between the centres of the
+  /// two bearing sets [m].
   double elongation = unset;
   double front_force = unset, rear_force = unset;  ///< [N]
   HeatBalance heat = {};
   std::vector<double> sources = {};         ///< heat of each source in model::Spindle::heat [W]
-  std::vector<BearingState> bearings = {};  ///< front set first, roller bearings last
-  std::vector<double> sensors = {};         ///< [K], in the order of the model
-  /// Temperature of the coolant at the outlet, T_in + 2 (T_mean - T_in), or of standing coolant
-  /// [K]; NaN without coolant.
+  std::vector<BearingState> bearings = {};  ///< front set, rear set, roller bearings
+  std::vector<double> sensors = {};         ///< sensor temperatures in the order of the model [K]
+  /// Outlet temperature of the first coolant circuit, T_in + 2 (T_mean - T_in) [K]; T_mean if the
+  /// coolant stands, NaN without coolant.
   double coolant_outlet = unset;
-  std::vector<CircuitState> circuits = {};  ///< in the order of model::Spindle::channels()
+  std::vector<CircuitState> circuits = {};  ///< circuits in the order of model::Spindle::channels()
   [[nodiscard]] double thermal_displacement() const {
     return displacement - kinematic_displacement;
   }
@@ -112,22 +117,25 @@ struct State {
 struct Report {
   Status status = Status::not_run;
   int steps = 0, rejected = 0;
-  /// error of the heat balance in the worst step: stored heat minus supplied heat, relative to the
-  /// heat that the spindle receives and gives off [1]
+  /// Largest error of the heat balance over all steps: |stored heat - supplied heat| divided by all
+  /// heat that the spindle receives and gives off [1].
   double energy_error = unset;
-  std::string message = {};  ///< reason for an early end
+  std::string message = {};  ///< reason if the simulation did not converge
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// Result of a speed programme. After an early end, `moments` contains the rows before the end.
+/// Result of a simulated speed programme. If the simulation stops early, `moments` contains only
+/// the rows before the stop.
 struct Run {
-  std::vector<Moment> moments = {};    ///< one for each row of the programme
-  bool has_end = false;                ///< true if the last moment is the early end, see add_end()
-  std::vector<double> step_ends = {};  ///< ends of the time steps [s]
+  std::vector<Moment> moments = {};    ///< one entry for each row of the programme
+  bool has_end = false;                ///< true if add_end() added the time of an early stop
+  std::vector<double> step_ends = {};  ///< end time of each time step [s]
   State end = {};
-  std::vector<State> kept = {};  ///< requested states that were reached
+  /// States at the times `keep` of simulate(), as far as they were reached.
+  std::vector<State> kept = {};
   Report report = {};
-  double highest_front_force = 0.0;      ///< largest force of the front set over all steps [N]
+  /// Largest axial force of the front set in any step or row [N].
+  double highest_front_force = 0.0;
   double time_of_highest_force = unset;  ///< [s]
 };
 
@@ -140,10 +148,10 @@ struct FieldCell {
   double temperature = unset;                         ///< [K]
 };
 
-/// State of the seat of a ring at speed and temperature.
+/// Contact of a ring with its seat at speed and temperature.
 struct SeatState {
-  double pressure = unset;     ///< [Pa]; 0 for a loose seat, NaN if its conductance is given
-  double gap = unset;          ///< radial gap of a loose seat [m]
+  double pressure = unset;     ///< [Pa]; 0 for a loose seat, NaN if the model gives the conductance
+  double gap = unset;          ///< radial gap of a loose seat [m]; 0 for a tight seat
   double conductance = unset;  ///< conductance of contact spots and air together [W/(m² K)]
 };
 /// Seats of the inner ring on the shaft and of the outer ring in the housing.
@@ -151,14 +159,15 @@ struct SeatsOfBearing {
   SeatState inner, outer;
 };
 
-/// State of a joint or a surface of the spindle; SeatsOfBearing has the seats of the rings.
+/// Heat transfer at a joint or a surface of the spindle. SeatsOfBearing describes the seats of the
+/// rings.
 struct SurfaceState {
   std::string name;
   double area = unset;         ///< [m²]
   double conductance = unset;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
   double pressure = unset;     ///< [Pa]; NaN for a surface, and for a joint with given conductance
-  /// Heat that leaves the spindle, crosses the gap to the housing, or flows from a clamped ring to
-  /// its neighbour [W]; NaN for shoulders and collars.
+  /// Heat that leaves the spindle, flows from the shaft through the air gap to the housing, or
+  /// flows from a clamped ring to its neighbour [W]; NaN for shoulders and collars.
   double heat = unset;
 };
 
@@ -168,7 +177,7 @@ struct ShaftPlace {
   double displacement = unset;  ///< positive towards the tool [m]
 };
 
-/// Stress at a radius, positive in tension [Pa].
+/// Stresses at one radius, positive in tension [Pa].
 struct Stress {
   double radius = unset;                               ///< [m]
   double axial = unset, hoop = unset, radial = unset;  ///< [Pa]
@@ -178,63 +187,72 @@ struct Stress {
   }
 };
 
-/// Stress of the shaft or of a ring in one column of cells.
+/// Stresses of the shaft or of a ring over the radius, in one axial slice of the mesh.
 struct SectionStress {
   enum class Part { shaft, inner_ring, outer_ring } part = Part::shaft;
-  int bearing = -1;  ///< bearing of the ring or of the seat on the shaft; -1: shaft elsewhere
+  /// Index of the bearing of this ring or shaft seat; -1: shaft outside the seats.
+  int bearing = -1;
   double start = unset, end = unset;  ///< distance behind the nose face [m]
-  std::vector<Stress> at = {};        ///< from the bore to the surface
+  std::vector<Stress> at = {};        ///< stresses from the bore to the outer surface
   /// Returns the stress at the radius of the largest von Mises stress.
   [[nodiscard]] const Stress& largest() const;
 };
 
-/// A spindle prepared for simulation: cells, conductances and mounted sets. Several threads must
-/// not use one object simultaneously; copies are cheap.
+/// Spindle prepared for simulation, with its cells, thermal conductances and mounted bearing sets.
+/// A network is a spindle model of thermal bodies without bearings. Several threads must not use
+/// one object simultaneously; give each thread a copy.
 class Simulator {
  public:
-  /// Includes the effects that the model has switched on. Throws std::invalid_argument for a model
-  /// that is not a spindle or that cannot be mounted or meshed; the message has name, value with
-  /// unit and allowed range.
+  /// Creates a simulator with the effects that are switched on in the model. Throws
+  /// std::invalid_argument if the model is not a spindle, or if its parts cannot be mounted or
+  /// meshed.
   explicit Simulator(const model::Model& model);
-  /// Uses `condition` in place of the effects of the model on the spindle.
+  /// Creates a simulator that uses `condition` instead of the spindle effects in the model.
   Simulator(const model::Model& model, const effects::SpindleCondition& condition);
   Simulator(const Simulator&);
   Simulator(Simulator&&) noexcept;
   ~Simulator();
 
-  /// Sets a flag that is checked before every step: when it becomes true, simulate() and steady()
-  /// throw fit::Cancelled. Copies of this object also check the flag. Null switches the check off.
+  /// Sets a flag that cancels the work. simulate() checks the flag before every time step, and
+  /// steady() checks it at the start. Both throw fit::Cancelled if the flag is true. Copies of this
+  /// object use the same flag. A null pointer switches the check off.
   void stop_on(const std::atomic<bool>* cancelled);
-  /// Simulates from `start` or, without it, from the ambient temperature in all cells. `step_ends`
-  /// gives the ends of all steps, from another run of this programme. With it, step sizes do not
-  /// change with the parameters of a fit. `keep` lists increasing times [s]. For each time, the
-  /// result has the state at the end of the first step that reaches the time.
+  /// Simulates a speed programme from the state `start`. If `start` is null, all cells start at the
+  /// ambient temperature. `step_ends` contains the step ends of an earlier run of this
+  /// programme [s]. The step sizes then do not depend on the parameters of a fit. If `step_ends` is
+  /// empty, the simulator chooses the step sizes. `keep` lists increasing times [s]. For each time
+  /// in `keep`, Run::kept contains the state at the end of the first step that reaches the time.
+  /// Throws std::invalid_argument if `start` belongs to another mesh.
   [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
                              std::span<const double> step_ends = {},
                              std::span<const double> keep = {});
-  /// Finds the steady state for these inputs.
+  /// Finds the steady state for these inputs. If there is none, `report` gives the reason, and
+  /// displacements and forces are NaN.
   [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
-  /// Returns the temperatures of the last call.
+  /// Returns the temperatures of all cells at the end of the last simulate() or steady().
   [[nodiscard]] const State& state() const;
-  /// Returns the equilibrium of the sets at the end of the last call; null for a network.
+  /// Returns the equilibrium of the bearing sets at the end of the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
-  /// Returns the sets as mounted; null for a network.
+  /// Returns the bearing sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
-  /// Returns the bent shaft of the last call. The bearing friction is computed with this shaft. The
-  /// result is null for a network, and for a shaft without radial loads and roller bearings.
+  /// Returns the bent shaft of the last call, for which the bearing friction was computed. The
+  /// result is null for a network. It is also null if the shaft has no radial load, no moment and
+  /// no roller bearing.
   [[nodiscard]] const LoadedShaft* shaft() const;
-  /// Returns the conditions of the sets in the last call; null for a network.
+  /// Returns speed, axial load, ring shifts and elongation of the bearing sets in the last call;
+  /// null for a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
-  /// Returns the seats at the end of the last call, in the order of Moment::bearings; empty for a
-  /// network.
+  /// Returns the seats of all bearings at the end of the last call, in the order of
+  /// Moment::bearings; empty for a network.
   [[nodiscard]] std::vector<SeatsOfBearing> seats() const;
-  /// Returns joints and surfaces at the end of the last call; empty for a network.
+  /// Returns all joints and surfaces except the ring seats at the end of the last call; empty for a
+  /// network.
   [[nodiscard]] std::vector<SurfaceState> surfaces() const;
-  /// Returns the displacement along the shaft, from nose to rear end, at the end of the last call.
-  /// `moment` must be the result of that call. The list is empty for a network.
+  /// Returns the axial displacement along the shaft, from the nose to the rear end. `moment` must
+  /// be the last moment of the last call. The list is empty for a network.
   [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;
-  /// Returns the stresses of shaft and rings at the end of the last call, which must have had this
-  /// speed. The list is empty for a network.
+  /// Returns the stresses of shaft and rings at the end of the last call. `speed` must be the speed
+  /// in that call [rad/s]. The list is empty for a network.
   [[nodiscard]] std::vector<SectionStress> stresses(double speed) const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;

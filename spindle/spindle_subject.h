@@ -4,41 +4,44 @@
 
 namespace raceway::spindle {
 
-/// Spindle model for fits to axial displacement and temperatures measured over time. Every channel
-/// is weighted by its noise and by the expected accuracy of a spindle model.
+/// Spindle model for fits to axial displacement and temperatures measured over time. The weight of
+/// a measured channel comes from its noise and from the expected accuracy of a spindle model.
 class SpindleSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for a model without a spindle.
   explicit SpindleSubject(const model::Model& model);
 
-  /// Returns the displacement of the nose, then a temperature for each sensor, in the order of the
-  /// model.
+  /// Returns the measured quantities: the axial displacement of the nose, then the temperature of
+  /// each sensor in the order of the model.
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
-  /// Requires a time that rises within every run, a speed, and at least one measured channel.
+  /// Throws std::invalid_argument unless every row has a speed and a time that increases within the
+  /// run, and the record has at least one measured channel of the model.
   void require(const fit::Record& record) const override;
   [[nodiscard]] bool has_memory() const override { return true; }
   [[nodiscard]] bool approximates() const override { return true; }
   [[nodiscard]] bool is_costly() const override { return true; }
-  /// Returns the time steps of the original model. Fits use the same steps.
+  /// Returns the runs of the record and the time steps of the original model. Fits use these time
+  /// steps.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
-  /// Simulates every run separately, starting from its ambient temperature. If the thermometers
-  /// show that the first run of a record, or of a joined record, began warm (find_warm_start()),
-  /// this run starts from the warm state. If the displacement was set to zero while the spindle was
-  /// warm, the fit uses the zero that fits the readings best.
+  /// Returns a predictor that simulates every run separately from its ambient temperature. If the
+  /// thermometers show that the first run of a record began warm (find_warm_start()), this run
+  /// starts from the warm state. If the displacement was set to zero in this warm state, the
+  /// constant that fits the readings best is subtracted.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Describes the runs of a record that start warm, one sentence each.
+  /// Returns one sentence for each run of a record that starts warm.
   [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
-  /// Returns the candidates without effects on the load or the condition of the turning bearings.
-  /// A spindle has effects of its own for heat and friction.
+  /// Returns the effects that a diagnosis may add. Effects that change the load or the condition of
+  /// the bearings in operation are left out, because a spindle has its own effects of heat and
+  /// friction.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns eight consecutive parts with nearly equal numbers of rows; empty for a record with
-  /// fewer than 16 rows.
+  /// Returns the division of a record into eight consecutive parts with nearly equal numbers of
+  /// rows, each of which is held out in turn. The result is empty for fewer than 16 rows.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
   [[nodiscard]] model::Expected expected() const override;

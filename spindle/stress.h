@@ -6,13 +6,14 @@
 
 namespace raceway::spindle {
 
-/// Returns the stresses of shaft and rings in each column of cells. Causes are the temperature
-/// across the wall, the pressure of the seat and the rotation (stresses_of()).
+/// Returns the stresses of shaft and rings in each axial slice of the mesh. The stresses come from
+/// the temperature across the wall, the seat pressure and the rotation (stresses_of()).
 ///
-/// The temperature of a surface follows from the temperature of its cell and the heat flow through
-/// half the cell, so a ring with one cell also has a gradient. Not included: bending, axial preload
-/// and clamping, ball loads on the grooves, steps and keys, and the restraint by neighbouring
-/// columns. `raceways` is the heat that enters each cell at its raceway [W].
+/// The surface temperature follows from the temperature of the outermost cell and the heat flow
+/// through half of this cell. A ring with one cell over the radius therefore also has a temperature
+/// gradient. The stresses do not include bending, axial preload, clamping, ball loads on the
+/// grooves, steps, keys, and restraint by neighbouring slices. `raceways` is the heat that enters
+/// each cell at a raceway [W]. `speed` is in rad/s.
 [[nodiscard]] std::vector<SectionStress> stresses(const ThermalSystem& system,
                                                   const Vector& temperatures,
                                                   const Vector& raceways, double speed);

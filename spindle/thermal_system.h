@@ -12,21 +12,21 @@
 
 namespace raceway::spindle {
 
-/// Heat that leaves each cell radially, inwards and outwards [W].
+/// Heat that leaves each cell radially, through its inner and its outer face [W].
 struct CylinderHeat {
   Vector inner, outer;
 };
 
-/// Cells of a spindle with their heat paths, except the bearings. Friction and conduction of the
-/// bearings depend on the sets (BearingCoupling).
+/// Cells of a spindle with all heat paths except through the bearings. BearingCoupling computes
+/// friction and heat conduction of the bearings.
 ///
-/// Heat transfer coefficients and seats depend on the temperatures passed to update(). Coefficients
-/// and seats are constant within a time step.
+/// Heat transfer coefficients and ring seats depend on the temperatures that are passed to
+/// update(). They are constant within a time step.
 class ThermalSystem {
  public:
-  /// A group of heat paths with one conductance per area.
+  /// Group of heat paths with the same conductance per area.
   struct Group {
-    std::size_t first = 0;  ///< place of the first path in links or outlets
+    std::size_t first = 0;  ///< index of the first path in HeatPaths::links or HeatPaths::outlets
     Joints joints;
     double area = 0.0;  ///< [m²]
     double film = 0.0;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
@@ -36,10 +36,10 @@ class ThermalSystem {
 
   [[nodiscard]] const HeatPaths& paths() const { return paths_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  /// Coolant circuits in the order of model::Spindle::channels().
+  /// Coolant circuit with its node and heat paths.
   struct Circuit {
     model::Coolant channel;
-    int node = -1;  ///< node at the mean temperature of inlet and outlet
+    int node = -1;  ///< index of the node at the mean coolant temperature
     Group walls = {};
     std::size_t flow = 0;  ///< index of the coolant flow in HeatPaths::outlets
   };
@@ -47,21 +47,22 @@ class ThermalSystem {
   /// Returns the inlet temperature of a circuit for these inputs [K].
   [[nodiscard]] double inlet(const Circuit& circuit, const Inputs& inputs) const;
 
-  /// Updates the conductances for these temperatures and inputs.
+  /// Updates heat transfer coefficients and ring seats for these cell temperatures [K] and inputs.
   void update(const Vector& temperatures, const Inputs& inputs);
-  /// Sets reservoirs and sources for these inputs. `machine_rise` is the drift of the machine
-  /// temperature [K].
+  /// Sets the temperatures of the reservoirs and the heat of all sources for these inputs.
+  /// `machine_rise` is the drift of the machine temperature [K].
   void set_inputs(const Inputs& inputs, double machine_rise);
-  /// Returns the heat of motor, drive, seals and all other sources [W].
+  /// Returns the heat of all sources except bearing friction [W].
   [[nodiscard]] double driven_heat() const { return driven_heat_; }
-  /// Returns the heat of each source in model::Spindle::heat [W].
+  /// Returns the heat of each source in the list model::Spindle::heat [W].
   [[nodiscard]] const std::vector<double>& source_heat() const { return source_heat_; }
   [[nodiscard]] double ambient(const Inputs& inputs) const;
-  /// Returns the seats after the last update(), bearing by bearing as in Layout.
+  /// Returns the ring seats after the last update(), in the order of Layout::bearings.
   [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
   /// Returns all joints and surfaces except the seats of the rings, after the last update().
   [[nodiscard]] std::vector<SurfaceState> surfaces(const Vector& temperatures) const;
-  /// Returns the radial heat flow in shaft and rings, without the heat that enters at raceways.
+  /// Returns the radial heat flow through the faces of each cell, without the heat that enters at
+  /// raceways.
   [[nodiscard]] CylinderHeat through_cylinders(const Vector& temperatures) const;
 
  private:
@@ -77,7 +78,8 @@ class ThermalSystem {
   void update_seats(const Vector& temperatures, double speed);
   void update_room(const Vector& temperatures, double speed);
   void update_coolant(const Vector& temperatures, const Inputs& inputs);
-  /// Cells that a source heats; `share` is the part of the heat in the first group of cells.
+  /// Weights of the cells that a source heats. The share `share` of the heat enters the group
+  /// `first`, the rest enters the group `second`.
   struct HeatedCells {
     Shares first, second;
     double share = 1.0;
@@ -107,7 +109,7 @@ class ThermalSystem {
   std::vector<double> source_heat_;
 };
 
-/// Returns the mean temperature of some cells [K].
+/// Returns the mean temperature of cells with these weights [K].
 [[nodiscard]] double mean(const Shares& shares, const Vector& temperatures);
 
 }  // namespace raceway::spindle

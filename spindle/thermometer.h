@@ -4,9 +4,10 @@
 
 namespace raceway::spindle {
 
-/// Returns the reading of a thermometer as weights of cells: linear between the middles of the
-/// surrounding cells. Beyond the outermost middles, the nearest cell is used. The weights have the
-/// sum 1. Throws std::invalid_argument if the part does not exist.
+/// Returns the weights of cell temperatures in the reading of a thermometer. The reading is
+/// interpolated linearly between the middles of the surrounding cells. Between the last middle and
+/// the face of a part, the reading is extrapolated linearly. The weights have the sum 1. Throws
+/// std::invalid_argument if the spindle does not have the part.
 [[nodiscard]] Shares thermometer(const Mesh& mesh, const model::ThermometerPlace& place);
 
 }  // namespace raceway::spindle

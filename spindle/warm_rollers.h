@@ -8,26 +8,26 @@
 
 namespace raceway::spindle {
 
-/// Temperatures that act on a roller bearing on its seats [K].
+/// Temperatures on which the clearance and friction of a roller bearing depend [K].
 struct RollersAsked {
   double inner_ring = unset, outer_ring = unset;  ///< mean temperature of each ring
-  double shaft = unset, housing = unset;          ///< temperatures of the parts at the seats
+  double shaft = unset, housing = unset;  ///< temperatures of shaft and housing at the seats
 };
 
-/// A cylindrical roller bearing of a spindle at the temperatures of its rings and seats: clearance,
-/// friction heat and conduction.
+/// Clearance, friction heat and heat conduction of a cylindrical roller bearing at the temperatures
+/// of its rings and seats.
 ///
-/// Between two calls of take(), the roller loads change only linearly with the clearance. Heat and
-/// preload therefore also interact within a time step.
+/// Between two calls of take(), the sum of the roller loads changes linearly with the clearance.
+/// Friction heat and preload therefore also interact within a time step.
 class WarmRollers {
  public:
   WarmRollers(const model::Model& model, const model::RollerOnShaft& rollers, const Layout& layout,
               const BearingPlace& place);
 
   void set_speed(double speed) { speed_ = speed; }
-  /// Returns the operating clearance s [m].
+  /// Returns the diametral operating clearance s [m].
   [[nodiscard]] double clearance(const RollersAsked& asked) const;
-  /// Stores the roller loads.
+  /// Stores the roller loads of an equilibrium with the bent shaft.
   void take(const bearing::RollerEquilibrium& rollers);
   [[nodiscard]] BearingHeat heat(const RollersAsked& asked) const;
   [[nodiscard]] const bearing::RollerEquilibrium& rollers() const { return taken_; }

@@ -14,10 +14,10 @@
 
 namespace raceway::spindle {
 
-/// Temperatures and elongation that act on the sets.
+/// Ring temperatures and elongation on which the equilibrium of the bearing sets depends.
 struct SetsAsked {
   std::vector<double> inner_ring, outer_ring;  ///< mean temperature of each ring [K]
-  double elongation = 0.0;                     ///< shaft relative to the housing [m]
+  double elongation = 0.0;  ///< elongation of the shaft minus the elongation of the housing [m]
 };
 
 /// Friction heat of one bearing, with its forces, clearance and heat conduction.
@@ -26,29 +26,32 @@ struct BearingHeat {
   double force = 0.0;               ///< axial force [N]
   double radial_force = 0.0;        ///< [N]
   double clearance = unset;         ///< diametral clearance s of a roller bearing [m]
-  double conductance = 0.0;  ///< conductance of balls or rollers through their contacts [W/K]
-  double band = 0.0;         ///< half width of the 95 % band of the heat, from a friction table [W]
+  /// Thermal conductance of balls or rollers through their contacts [W/K].
+  double conductance = 0.0;
+  double band = 0.0;  ///< half width of the 95 % band of power() from a friction table [W]
   [[nodiscard]] double power() const { return inner + outer; }
 };
 
-/// Sets of a spindle at given ring temperatures: equilibrium, forces and friction heat.
+/// Equilibrium, forces and friction heat of the bearing sets at given ring temperatures.
 ///
-/// Each bearing has its own ring temperatures (thermal_shift()); balls and lubricant have the mean
-/// temperature of the rings, as in the reference data of the tests. Friction depends on the axial
-/// forces of the warm sets. If the model sets `preload_feedback` to false, friction depends on the
-/// forces of the cold sets at the same speed. The contributions of radial loads to forces, friction
-/// and position are kept between two calls of bear().
+/// Each bearing has its own ring temperatures, and thermal_shift() gives the ring expansion. Balls
+/// and lubricant have the mean temperature of both rings. Friction depends on the axial forces of
+/// the warm sets. If the model sets `preload_feedback` to false, friction depends on the forces of
+/// the cold sets at the same speed. The contributions of radial loads to forces, friction and shaft
+/// position are constant between two calls of bear().
 class WarmSets {
  public:
-  /// Throws std::invalid_argument if the sets cannot be mounted.
+  /// Mounts the bearing sets. Throws std::invalid_argument if they cannot be mounted.
   WarmSets(const model::Model& model, const effects::SpindleCondition& condition);
 
-  /// Sets the operating conditions of the sets. Returns false if the cold sets have no equilibrium.
+  /// Sets speed and axial load. Returns false if the cold bearing sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Returns false if the sets have no equilibrium; the state is then unchanged.
+  /// Computes equilibrium and friction heat. Returns false if the sets have no equilibrium; the
+  /// results then remain unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
-  /// Adds the bearing loads of the bent shaft to the axial loads, at the temperatures of the last
-  /// solve(); null means no bent shaft. Returns false if a friction value is not finite.
+  /// Replaces the axial bearing loads by the bearing loads of the bent shaft, at the temperatures
+  /// of the last solve(). If `bent` is null, only axial loads act. Returns false if a friction
+  /// value is not finite.
   [[nodiscard]] bool bear(const LoadedShaft* bent);
 
   [[nodiscard]] const model::Model& model() const { return model_; }
@@ -58,27 +61,29 @@ class WarmSets {
   [[nodiscard]] const bearing::ArrangementCondition& asked() const { return asked_.sets; }
   [[nodiscard]] const bearing::Arrangement& arrangement() const { return balance_.arrangement(); }
   [[nodiscard]] std::size_t bearings() const { return heat_.size(); }
-  /// Return the position of the shaft and the forces of the sets, including radial loads [m], [N].
+  /// Return the axial position of the shaft [m] and the axial forces of the sets [N], with the
+  /// contributions of radial loads.
   [[nodiscard]] double position() const { return sets_.position + more_position_; }
   [[nodiscard]] double front_force() const { return sets_.front_force + more_front_; }
   [[nodiscard]] double rear_force() const { return sets_.rear_force + more_rear_; }
-  /// Returns the position of the shaft at standstill without load and heat [m].
+  /// Returns the axial position of the shaft at standstill without load and heat [m].
   [[nodiscard]] double rest() const { return rest_; }
 
  private:
   [[nodiscard]] bool find_condition(const bearing::OperatingPoint& point,
                                     shaft::ShaftCondition& condition) const;
-  /// Balls with unequal loads, and the load on the bearing.
+  /// Load on a bearing, and the equilibrium of its balls, which have unequal loads.
   struct UnevenBalls {
     const bearing::Vector5& load;
     const bearing::BearingEquilibrium& balls;
   };
-  /// Returns the heat under the axial load of `sets`, or for balls with unequal loads.
+  /// Returns the friction heat of a bearing under the axial load of `sets` or, if not null, under
+  /// the loads of `uneven`.
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
-  /// Returns the heat interpolated between the contacts in the warm sets and the contacts in the
-  /// cold sets.
+  /// Returns the friction heat, interpolated between ball contacts of the warm sets and of the cold
+  /// sets.
   [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
                                              const bearing::ArrangementEquilibrium& sets,
                                              const UnevenBalls* uneven, BearingHeat heat) const;
@@ -91,11 +96,11 @@ class WarmSets {
   model::Steps steps_, friction_;
   bool has_effects_ = false;  ///< true if effects act on friction
   bool has_conditions_ = false;
-  double feedback_ = 1.0;  ///< interpolation from cold to warm forces [1]
+  double feedback_ = 1.0;  ///< weight of the warm forces; the cold forces have the rest [1]
   shaft::ShaftBalance balance_;
   std::vector<model::Model> singles_;  ///< model of each bearing alone, if effects need one
   Inputs inputs_;
-  shaft::ShaftCondition speed_, asked_;  ///< condition at speed only; condition with temperatures
+  shaft::ShaftCondition speed_, asked_;  ///< condition at speed; the same with temperatures
   bearing::ArrangementEquilibrium cold_, sets_;
   SetsAsked temperatures_;  ///< temperatures of the last solve()
   std::vector<BallConduction> conduction_;

@@ -9,32 +9,35 @@
 
 namespace raceway::spindle {
 
-/// Operation of a spindle before the first row of a run, if the thermometers show that the spindle
-/// was warm.
+/// Estimated operation of a spindle before the first row of a run that began warm.
 struct WarmStart {
-  Inputs inputs{};          ///< constant inputs of this operation
+  Inputs inputs{};          ///< constant inputs of the estimated operation
   double duration = unset;  ///< [s]
-  double rise = unset;      ///< rise of the warmest thermometer above ambient in the first row [K]
-  bool zeroed = false;      ///< true if the displacement was set to zero in the first row
+  /// Largest temperature rise of a thermometer above ambient in the first row [K].
+  double rise = unset;
+  bool zeroed = false;  ///< true if the displacement was set to zero in the first row
 
-  /// Returns a sentence: "the thermometers are up to 11 K above the room in the first row: ...".
+  /// Returns a sentence that begins like "the thermometers are up to 11 K above the room in the
+  /// first row: ...".
   [[nodiscard]] std::string statement() const;
 };
 
-/// Finds the past operation that agrees best with the thermometers in the first row of a run. The
-/// result is empty unless two thermometers (or the only one) are more than 2 K above a cold start.
-/// The result is also empty if the record has no ambient temperature, or if no past operation
-/// halves the error of a cold start.
+/// Finds the operation before the first row of a run that agrees best with the thermometers in the
+/// first row. The result is empty unless at least two thermometers, or the only one, read more than
+/// 2 K above a simulated cold start. The result is also empty if the record has no ambient
+/// temperature, or if the RMS error of the best operation is not below half of the RMS error of a
+/// cold start.
 ///
-/// Candidates are constant speeds above 0: the speed of the first row, the mean and the highest
-/// speed. Each lasts a quarter of an hour to eight hours, with the other inputs of the first row.
-/// The displacement is treated as set to zero if the amount of its first reading is less than a
-/// quarter of the displacement that the model predicts after the past operation.
+/// The candidates have a constant speed above 0: the speed of the first row, or the mean or the
+/// highest speed of the run. They last 0.25, 0.5, 1, 2, 4 or 8 hours, with the other inputs of the
+/// first row. `zeroed` is true if the absolute first reading of the displacement is less than a
+/// quarter of the displacement that the model predicts after the operation.
 [[nodiscard]] std::optional<WarmStart> find_warm_start(const model::Model& model,
                                                        const record::Record& run,
                                                        std::span<const ProfileRow> profile);
 
-/// Returns the state of a spindle after the operation `past`. The run begins from this state.
+/// Returns the temperatures of a spindle after the operation `past`, from which the run `profile`
+/// starts.
 [[nodiscard]] State state_after(Simulator& simulator, const WarmStart& past,
                                 std::span<const ProfileRow> profile);
 

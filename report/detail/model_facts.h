@@ -8,11 +8,11 @@
 
 namespace raceway::report {
 
-/// Returns facts on each model for the pages: the law with its factors, the factors of the effects,
-/// oil and defaults.
+/// Returns the friction law, factors, effects, oil viscosities and defaults of each model for a
+/// page.
 [[nodiscard]] text::json model_facts(const std::vector<ModelOfPage>& models);
 
-/// Returns the changes from each model to the next.
+/// Returns the effects and numbers that change from each model to the next model.
 [[nodiscard]] text::json changes_json(const std::vector<model::ModelChanges>& changes);
 
 }  // namespace raceway::report

@@ -6,7 +6,7 @@
 
 namespace raceway::report {
 
-/// Builder of a report document. The members stay in the order in which they are added.
+/// Builder of a report document, a JSON text. Its members have the order in which they are added.
 class Document {
  public:
   explicit Document(const std::string& kind);

@@ -12,35 +12,36 @@
 
 namespace raceway::report {
 
-/// Rows of a record as columns of a report: settings, readings of one channel, their noise,
-/// predictions. Names of columns end with the unit; readings are in the unit of the channel.
+/// Rows of a record as columns of a report page: inputs, readings of one channel, their standard
+/// deviations, and predictions. Column names end with the unit. Readings are in the unit of the
+/// channel.
 class ReportRows {
  public:
-  /// `rows` of the record, in increasing order.
+  /// `rows` contains the indices of the rows on the page, in increasing order.
   ReportRows(const record::Record& record, const record::Channel& channel,
              std::vector<std::size_t> rows);
 
   [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
-  /// Sorts `values`, which are in the order of the errors of a comparison, to the rows of the page.
-  /// Rows without a value are NaN.
+  /// Returns one value for each row of the page. `values` has the order of `comparison.errors`.
+  /// Rows of the page without a value are NaN.
   [[nodiscard]] std::vector<double> by_row(const verdict::Comparison& comparison,
                                            std::span<const double> values) const;
 
-  /// Adds a column of readings with one value for each row of the page [SI]. Returns the column
-  /// name, which is `name` and the unit.
+  /// Adds a column with one reading for each row of the page [SI]. Returns the column name, which
+  /// consists of `name` and the unit.
   std::string add_readings(const std::string& name, std::vector<double> values);
-  /// Adds the standard deviation of each reading [SI], NaN if unknown.
+  /// Adds a column with the standard deviation of each reading [SI]; NaN means unknown.
   void add_std(std::vector<double> std);
   /// Adds the predictions of a model as the next column `predicted_0_UNIT`, `predicted_1_UNIT`,
-  /// ..., and the errors of the model over the operating points. Call it after add_std().
+  /// ..., its RMS error, and a map of its errors over the inputs. Call it after add_std().
   void add_model(const std::string& name, const verdict::Comparison& comparison);
 
   void finish(Document& document) const;
 
  private:
   void add_inputs();
-  /// Returns true if the page groups the rows by record. Otherwise it groups them by run. It groups
-  /// by record if there are several records and not more runs than records.
+  /// Returns true if the page groups the rows by record, otherwise by run. The page groups by
+  /// record if several records were joined and there are not more runs than records.
   [[nodiscard]] bool by_record() const {
     return !record_.parts.empty() && record_.runs.size() <= record_.parts.size();
   }
@@ -56,11 +57,11 @@ class ReportRows {
   ReportColumns columns_;
 };
 
-/// Returns the rows of a record with a reading of the channel.
+/// Returns the indices of the rows that have a reading of the channel.
 [[nodiscard]] std::vector<std::size_t> rows_read(const record::Record& record,
                                                  const record::Channel& channel);
 
-/// Returns the rows of a record used in a comparison, in increasing order.
+/// Returns the indices of the record rows that a comparison used, in increasing order.
 [[nodiscard]] std::vector<std::size_t> rows_compared(const verdict::Comparison& comparison);
 
 }  // namespace raceway::report

@@ -11,11 +11,12 @@
 #include "verdict/add.h"
 #include "verdict/compare.h"
 
-/// Builds JSON objects for results of the loop, shared by the writers of results.
+/// Builds JSON objects for results of check, compare, fit, diagnose and add, for all writers in
+/// results/.
 namespace raceway::results {
 
-/// Returns the comparison of one model, with the first channel at the top level. If there are
-/// several channels, `channels` contains all of them.
+/// Returns the errors of one model on a record. The top level describes the first measured channel.
+/// If there are several, the member `channels` describes all.
 [[nodiscard]] text::json comparison_object(const std::string& model_file,
                                            const std::vector<const verdict::Comparison*>& channels,
                                            const record::Record& record);
@@ -23,45 +24,46 @@ namespace raceway::results {
 [[nodiscard]] text::json calibration_object(const verdict::Calibration& calibration,
                                             const record::Record& record);
 
-/// Returns `quantity` and `unit` of a measured channel.
+/// Returns an object with the `quantity` and the `unit` of a measured channel.
 [[nodiscard]] text::json channel_object(const record::Channel& channel);
 
-/// A channel with the number of its readings in a fit.
+/// Measured channel and the number of its readings in a fit.
 struct ChannelCount {
   const record::Channel* channel;
   int readings;
 };
 
 /// Returns chi_square, degrees_of_freedom, aic and bic of a fit to all channels, for readings in
-/// the units of the document. The values are null if there is no likelihood.
+/// the units of the document. Values are null if they are unknown.
 [[nodiscard]] text::json likelihood_object(const fit::Likelihood& likelihood,
                                            const std::vector<ChannelCount>& channels);
 
-/// Returns ln det(2 pi S) of the noise with covariance S, in the units of the document.
+/// Returns ln det(2 pi S) with the noise covariance S of readings in the units of the document.
 [[nodiscard]] double log_determinant_in_units(const fit::Likelihood& likelihood,
                                               const std::vector<ChannelCount>& channels);
 
-/// Returns the rows of the matrix, in the order of the parameters.
+/// Returns the correlation matrix of the parameters as a list of rows.
 [[nodiscard]] text::json correlation_rows(const Eigen::MatrixXd& correlation);
 
-/// Adds a list with one entry for each measured channel to a document, if there are several
-/// channels.
+/// Adds the list `channels` with one entry for each measured channel, if there are several.
 void add_channels(text::json& document, text::json channels);
 
-/// Returns the file of a record, or the list of joined files.
+/// Returns the file name of a record, or the list of file names of joined records.
 [[nodiscard]] text::json data_of(const record::Record& record);
 
-/// Adds the `notes` of a record and, if rows were averaged, `dwells` with their number and columns.
+/// Adds the `notes` of a record. If rows of dwells were averaged, adds `dwells` with the numbers of
+/// rows and dwells and the averaged columns.
 void add_notes(text::json& document, const record::Record& record);
 
-/// Returns the line numbers of rows, with the name of the record if several records were joined.
+/// Returns the line number of each row and, if several records were joined, the name of its record.
 [[nodiscard]] text::json lines_of(const record::Record& record,
                                   const std::vector<std::size_t>& rows);
 
 [[nodiscard]] text::json hold_out_object(const std::vector<fit::HoldOut>& hold_out,
                                          const std::vector<const record::Channel*>& channels);
 
-/// Returns rows_beyond_range (null if the model gives no range) and beyond_range.
+/// Returns rows_beyond_range, the number of rows outside the range of the fit (null if the model
+/// gives no range), and the list beyond_range with these parts of the record.
 [[nodiscard]] text::json beyond_object(const correction::Beyond& beyond,
                                        const record::Record& record);
 

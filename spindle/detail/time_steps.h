@@ -7,11 +7,12 @@
 
 #include "spindle/spindle.h"
 
-/// Handles the rows of a programme and the time steps through them, for spindle/simulator.cpp.
+/// Handles the rows of a speed programme and the time steps between them, for
+/// spindle/simulator.cpp.
 namespace raceway::spindle {
 
-/// Rows of a programme over time. The inputs of a row are valid from the previous row to the time
-/// of the row.
+/// Rows of a speed programme. The inputs of a row apply from the time of the previous row to the
+/// time of this row.
 class Programme {
  public:
   Programme(std::span<const ProfileRow> rows, double start) : rows_(rows), start_(start) {}
@@ -19,10 +20,12 @@ class Programme {
   [[nodiscard]] double begin_of(std::size_t row) const {
     return row == 0 ? start_ : rows_[row - 1].time;
   }
-  /// Returns the index after the last row that follows `row` without a jump.
+  /// Returns the index after the last row that follows `row` without a jump of the inputs. A jump
+  /// is a change of speed, loads, motor heat or coolant flow, or of a temperature by more than 0.5
+  /// K.
   [[nodiscard]] std::size_t jump_after(std::size_t row) const;
-  /// Returns the inputs of a step. Temperatures that change are averaged over the step. `row`
-  /// contains the time `from`.
+  /// Returns the inputs of a step between two times [s]. Ambient, machine and coolant temperatures
+  /// are averaged over the step. `row` is the row whose inputs apply at the time `from`.
   [[nodiscard]] Inputs mean(std::size_t row, double from, double to) const;
 
  private:
@@ -30,14 +33,15 @@ class Programme {
   double start_;
 };
 
-/// Chooses step sizes [s]. Steps are short after a jump of the inputs; later, their size depends on
-/// the error.
+/// Chooses step sizes [s]. After a jump of the inputs, the steps are short. Later, the estimated
+/// temperature error determines the step size.
 class StepSizes {
  public:
   static constexpr double longest_unless_given = 600.0;
 
-  /// `tolerance` is the error that a step may have in the temperature of a body [K]. `given`
-  /// contains the ends of all steps; it is empty for free step sizes.
+  /// `longest` is the longest step [s]. `tolerance` is the allowed temperature error of a step [K].
+  /// `given` contains the end times of all steps [s]; if it is empty, the step sizes follow the
+  /// error.
   StepSizes(double longest, double tolerance, std::span<const double> given)
       : longest_(longest), tolerance_(tolerance), given_(given) {}
 
@@ -45,10 +49,11 @@ class StepSizes {
   void shrink() { next_ *= 0.3; }
   [[nodiscard]] bool too_short() const { return next_ < shortest; }
   [[nodiscard]] bool held() const { return !given_.empty(); }
-  /// Returns the step size from `time`. The step does not go beyond `end`, and it does not leave a
-  /// very short step before `end`.
+  /// Returns the size of the step that starts at `time` [s]. The step never ends after `end`. If
+  /// less than one step size would remain before `end`, the step is half of the remaining time.
   [[nodiscard]] double take(double time, double end);
-  /// Returns false if the step must be repeated with a smaller size.
+  /// Chooses the next step size from the size `dt` [s] and the error [K] of a step. Returns false
+  /// if the step must be repeated with a smaller size.
   [[nodiscard]] bool accept(double dt, double error);
 
  private:
