@@ -8,8 +8,9 @@
 
 namespace raceway::bearing {
 
-/// Bearing ready for the solvers: valid geometry, materials and derived constants. Immutable.
-/// Construction costs two elliptic integrals, so reuse the object for many operating points.
+/// Bearing as the solvers need it: checked geometry, materials and derived constants. The object
+/// does not change after construction. The constructor computes two Hertz contacts, so reuse the
+/// object for many operating points.
 class Bearing {
  public:
   /// Throws std::invalid_argument as validated(geometry) and validate(material) do.
