@@ -10,7 +10,7 @@
 
 namespace raceway::shaft {
 
-/// Catalogue data of a back-to-back pair in one preload class.
+/// Axial rigidity of a back-to-back pair in one preload class: catalogue value and fitted value.
 struct PairRigidity {
   std::string preload_class;  ///< "L", "M", "S"
   double preload = unset;     ///< axial preload force on each bearing [N]
@@ -25,8 +25,8 @@ inline constexpr double lowest_conformity = 0.505, highest_conformity = 0.56;
 
 struct ConformityFit {
   double conformity = unset;  ///< common value of both grooves [1]
-  /// Standard error [1]; NaN if there is only one preload class, or if the conformity is at a
-  /// bound.
+  /// Standard error of `conformity` [1]; NaN if there is only one preload class, or if the
+  /// conformity is at a bound.
   double std = unset;
   record::Bound at_bound = record::Bound::none;
   double rms = unset;  ///< rms of ln(computed/printed) [1]
@@ -35,7 +35,8 @@ struct ConformityFit {
 };
 
 /// Returns the axial tangent rigidity of a back-to-back pair of equal bearings at rest with rigid
-/// preload: twice the rigidity of one bearing at that load [N/m]. NaN if there is no equilibrium.
+/// preload: twice the rigidity of one bearing under this preload [N/m]. The result is NaN if there
+/// is no equilibrium.
 [[nodiscard]] double pair_rigidity(const bearing::Bearing& bearing, double preload);
 
 /// Fits one groove conformity for both races to the pair rigidities of a catalogue. The fit
@@ -45,10 +46,11 @@ struct ConformityFit {
 /// The rigidity hardly distinguishes the two races, so only a common value can be found. This value
 /// also compensates for all other differences in stiffness between this model and the catalogue,
 /// such as elastic rings.
-/// Accuracy: `std` comes from the scatter of the classes: printed digits, and differences that one
-/// conformity cannot explain. `std` does not include the maker's method of calculation. A change of
-/// the conformity by 0.01 changes the rigidity by 19 % (15 deg) or 12 % (25 deg). Throws
-/// std::invalid_argument without a class and for a preload or a rigidity that is not positive.
+/// Accuracy: `std` comes from the scatter of the deviations over the preload classes. `std` does
+///           not include an error of the maker's method of calculation. A change of the conformity
+///           by 0.01 changes the rigidity by 19 % (contact angle 15 deg) or 12 % (25 deg).
+/// Throws std::invalid_argument if `classes` is empty, and for a preload or a printed rigidity that
+/// is not positive and finite.
 [[nodiscard]] ConformityFit fit_conformity(const bearing::Bearing& bearing,
                                            std::span<const PairRigidity> classes);
 

@@ -19,21 +19,21 @@ struct ShaftPoint {
 };
 
 /// Result for a shaft at one point: its position, and the friction of every bearing under its load
-/// in the sets. Values are NaN if the sets have no equilibrium; `equilibrium.report` gives the
-/// reason.
+/// in the sets. If the sets have no equilibrium, the values are NaN and the lists are empty;
+/// `equilibrium.report` gives the reason.
 struct ShaftPrediction {
   bearing::ArrangementEquilibrium equilibrium;
   /// Shaft position relative to standstill with the same external load, as mounted and at the
   /// mounting temperature, positive towards the tool [m].
   double displacement = unset;
   std::vector<model::FrictionPrediction> friction;  ///< friction of each bearing, front set first
-  std::vector<friction::HeatSplit> heat;            ///< heat of each bearing
-  double torque = unset;                            ///< sum over all bearings [N m]
-  double power_loss = unset;                        ///< torque times speed [W]
+  std::vector<friction::HeatSplit> heat;  ///< heat of each bearing, split between its rings
+  double torque = unset;                  ///< friction torque, summed over all bearings [N m]
+  double power_loss = unset;              ///< torque times speed [W]
 
-  /// Returns the status of the point for every command: the status of the equilibrium of the sets.
-  /// A converged equilibrium with position, torques or losses that are not finite gives
-  /// `not_finite`.
+  /// Returns the status that all commands report for this point: the status of the equilibrium of
+  /// the sets. The status is `not_finite` if the equilibrium converged but a position, torque or
+  /// loss is not finite.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
