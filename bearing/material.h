@@ -15,12 +15,13 @@ struct Material {
   double thermal_expansion = unset;  ///< coefficient of linear expansion [1/K], >= 0
 };
 
-/// Bearing steel (100Cr6).
+/// Returns bearing steel (100Cr6).
 [[nodiscard]] Material steel();
-/// Silicon nitride Si3N4, hot pressed.
+/// Returns silicon nitride Si3N4, hot pressed.
 [[nodiscard]] Material silicon_nitride();
 
-/// Throws std::invalid_argument naming the first value that is missing or out of range.
+/// Throws std::invalid_argument for the first value that is missing or out of range. The message
+/// names the value.
 void validate(const Material& material);
 
 }  // namespace raceway::bearing
