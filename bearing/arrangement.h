@@ -25,8 +25,7 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// Axial compression of this bearing minus the compression of its set, due to the grinding of its
-  /// faces [m].
+  /// Axial compression of this bearing minus the compression of its set, due to face grinding [m].
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
@@ -37,8 +36,7 @@ struct PreloadForce {
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// Axial clamping travel after the first contact of both sets [m]. This travel equals the gap that
-/// is ground into the faces.
+/// Axial clamping travel after the first contact of both sets: the gap ground into the faces [m].
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
@@ -54,8 +52,8 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
-  /// Share of the other kind of mounting, from 0 to 1 [1]. The other kind is a rigid mounting for a
-  /// spring, and a spring of constant force for a rigid mounting. See Arrangement::Seat.
+  /// Share of the other mounting, from 0 to 1 [1]: of a rigid mounting for a spring, and of a
+  /// spring of constant force for a rigid mounting. See Arrangement::Seat.
   double other_mounting = 0.0;
   /// Axial stiffness of the shaft between the sets, in series with the sets [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
@@ -68,9 +66,8 @@ struct ArrangementDesign {
   [[nodiscard]] bool operator==(const ArrangementDesign&) const = default;
 };
 
-/// Sets of bearings on a shaft, preloaded at standstill. The object does not change after
-/// construction. The constructor solves the equilibrium at rest. At rest each ball acts as two
-/// springs in series, so the ball position is not an unknown. Copies of the object share the
+/// Immutable sets of bearings on a shaft, preloaded at standstill. The constructor solves the
+/// equilibrium at rest, with each ball as two springs in series. Copies of the object share the
 /// bearings.
 ///
 /// x is the shaft's axial position at the front set, positive towards the tool, zero as mounted: at
@@ -86,12 +83,12 @@ struct ArrangementDesign {
 /// tandem the spring replaces the rear set.
 class Arrangement {
  public:
-  /// Throws std::invalid_argument for a missing or impossible value. The message gives the name,
-  /// the value with its unit, and the allowed range.
+  /// Throws std::invalid_argument with name, value and allowed range for a missing or impossible
+  /// value.
   explicit Arrangement(ArrangementDesign design);
 
   [[nodiscard]] const ArrangementDesign& design() const { return design_; }
-  /// Bearings from the tool to the rear, front set first.
+  /// Bearings in the order from the tool to the rear.
   [[nodiscard]] std::span<const MountedBearing> bearings() const { return bearings_; }
   [[nodiscard]] std::size_t front_count() const { return design_.front.size(); }
   [[nodiscard]] Side side(std::size_t bearing) const {
@@ -107,7 +104,8 @@ class Arrangement {
   [[nodiscard]] double displacement(Side side) const {
     return side == Side::front ? front_displacement_ : rear_displacement_;
   }
-  /// Seat of the rear set: `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)).
+  /// Support of the rear set, as the relation `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r
+  /// - δ_r0)).
   ///
   /// Without a share m of the other mounting, (softness, hardness) is (c [m/N], 1) for a rigid
   /// mounting and (1, k [N/m]) for a spring. With m = ArrangementDesign::other_mounting > 0, the
@@ -118,7 +116,7 @@ class Arrangement {
   ///
   /// K_r is the stiffness of the rear set as mounted. The rear set and its seat, in series, then
   /// have the stiffness (1 - m) K_r for a rigid mounting with c = 0, and m K_r for a spring with
-  /// k = 0. The rear force changes in proportion to this stiffness, so its change is linear in m.
+  /// k = 0. Changes of the rear force are therefore linear in m.
   struct Seat {
     double softness, hardness;
   };
@@ -131,34 +129,33 @@ class Arrangement {
   double preload_ = 0.0, front_displacement_ = 0.0, rear_displacement_ = 0.0;
 };
 
-/// External axial loads at which one side of the mounted arrangement loses its load at standstill
-/// [N].
-/// Source: geometry of the mounted state; F ~ δ^1.5 gives a lift-off load of 2.83 times the preload
-///         for a pair [SNFA, p. 33].
+/// External axial loads, positive towards the tool, at which one side of the mounted arrangement
+/// becomes unloaded at standstill [N].
+/// Source: geometry of the mounted state; the force law F ~ δ^1.5 gives a lift-off load of 2.83
+///         times the preload for a pair [SNFA, p. 33].
 struct LiftOff {
-  /// External load at which the front set becomes unloaded; positive towards the tool.
-  double front = unset;
-  /// External load at which the rear set becomes unloaded; positive towards the tool. The value is
-  /// NaN without a rear set (tandem), if a spring of constant force keeps the set loaded, or if
-  /// this load exceeds static_limit_pressure in the front set.
+  double front = unset;  ///< load at which the front set becomes unloaded
+  /// Load at which the rear set becomes unloaded. The value is NaN without a rear set (tandem), if
+  /// a spring of constant force keeps the set loaded, or if this load exceeds static_limit_pressure
+  /// in the front set.
   double rear = unset;
 };
 
 [[nodiscard]] LiftOff lift_off(const Arrangement& arrangement);
 
 /// Axial force of one bearing at standstill when the inner ring is displaced by `displacement` from
-/// the no-load position [N]. Each ball acts as two springs in series.
+/// the no-load position [N].
 [[nodiscard]] double axial_force_at_rest(const Bearing& bearing, double displacement);
 
-/// Axial displacement of the inner ring of one bearing at standstill under an axial force >= 0 [m].
-/// This function is the inverse of axial_force_at_rest().
+/// Axial displacement of the inner ring at standstill under an axial force >= 0 [m]; the inverse of
+/// axial_force_at_rest().
 [[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
 
 /// Preload gap of bearings whose faces are ground so that they are flush under the force of a
 /// preload class. The gap is the sum of the displacements of one front bearing and one rear
 /// bearing, each under the preload force printed for a pair. Sets of universally matched bearings
-/// have a higher preload than the pair: 1.35 times the preload of the pair for two bearings against
-/// one, and 2 times for two against two [SNFA, p. 31].
+/// have a higher preload than the pair: 1.35 times for two bearings against one, and 2 times for
+/// two against two [SNFA, p. 31].
 [[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
                                             const Bearing& rear, double rear_force);
 

@@ -25,7 +25,7 @@ struct ArrangementCondition {
   double speed = 0.0;          ///< [rad/s], >= 0
   double external_load = 0.0;  ///< axial load on the shaft, positive towards the tool [N]
   double elongation = 0.0;     ///< e: growth of shaft minus growth of housing, between the sets [m]
-  /// One shift for each bearing, front set first. If the list is empty, no groove is shifted.
+  /// One shift for each bearing, front set first. An empty list means no shift.
   std::vector<RingShift> shifts = {};
   [[nodiscard]] bool operator==(const ArrangementCondition&) const = default;
 };
@@ -37,8 +37,7 @@ struct SetTemperatures {
   double shaft = unset, housing = unset;
 };
 
-/// Shifts of the grooves by free thermal expansion of rings and balls from the mounting temperature
-/// T0:
+/// Groove shifts by free thermal expansion of rings and balls from the mounting temperature T0:
 ///
 ///   radial  λ_r ((T_i - T0) R_i - (T_o - T0) R_o),  R the radii of the groove centres' circles
 ///   lengths λ_r (T - T0) f D - λ_b (T_b - T0) D/2
@@ -50,8 +49,9 @@ struct SetTemperatures {
                                       double mounting_temperature);
 
 /// Adds thermal expansion to a condition: the shifts of all bearings, and the elongation e = L (λ_s
-/// (T_s - T0) - λ_h (T_h - T0)) between the sets. Throws std::invalid_argument for a temperature
-/// outside 50 to 800 K, and if any temperature except `balls` is missing.
+/// (T_s - T0) - λ_h (T_h - T0)) between the sets. L is the distance between the sets, and T0 is the
+/// mounting temperature. Throws std::invalid_argument for a temperature outside 50 to 800 K, and if
+/// any temperature except `balls` is missing.
 void add_expansion(const Arrangement& arrangement, const SetTemperatures& temperatures,
                    ArrangementCondition& condition);
 
@@ -60,7 +60,7 @@ struct BearingInSet {
   double axial_load = unset;       ///< F_i, axial load of this bearing [N], >= 0
   double displacement = unset;     ///< δ_i, axial compression, including offset and shift [m]
   double axial_stiffness = unset;  ///< tangent stiffness of this bearing [N/m]
-  BallEquilibrium ball;            ///< ball at azimuth 0
+  BallEquilibrium ball;            ///< equilibrium of the ball at azimuth 0
   std::optional<GivenRotation> rotation;              ///< given rotation; empty under race control
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest Hertz pressures [Pa]
   /// Minimum axial load, see minimum_load() [N].
@@ -72,7 +72,7 @@ struct BearingInSet {
 
 /// Shaft position at equilibrium of the sets. If the solve did not converge, only `report` is set.
 struct ArrangementEquilibrium {
-  double position = unset;  ///< x, zero as mounted, positive towards the tool [m]
+  double position = unset;  ///< shaft position x, zero as mounted, positive towards the tool [m]
   /// Axial forces, summed over each side [N]. In tandem, `rear_force` is the spring force.
   double front_force = unset, rear_force = unset;
   double rear_displacement = unset;  ///< δ_r, axial compression of the rear set [m]
@@ -80,41 +80,37 @@ struct ArrangementEquilibrium {
   std::vector<BearingInSet> bearings;
   SolveReport report;
 
-  /// Returns bearing i with all balls, for the friction laws. The displacement and the stiffness
-  /// are known only along x. The other displacements are 0, and the other stiffness components are
-  /// NaN.
+  /// Returns bearing i with all balls, for the friction laws. Only x has a displacement and a
+  /// stiffness; the other displacements are 0, and the other stiffness components are NaN.
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
-  /// Returns the given ball rotation of each bearing, for `EquilibriumOptions::rotations`. The list
-  /// is empty under race control.
+  /// Returns the given ball rotation of each bearing, for EquilibriumOptions::rotations; empty
+  /// under race control.
   [[nodiscard]] std::vector<GivenRotation> rotations() const;
 };
 
-/// Returns the options for a solve of bearing i alone: `rotations` has only the rotation of
-/// bearing i.
+/// Returns the options for bearing i alone, with only the rotation of bearing i.
 [[nodiscard]] EquilibriumOptions options_of_bearing(const EquilibriumOptions& options,
                                                     std::size_t i);
 
 /// Minimum axial load for rolling without skidding [N]. At this load, the radial component of each
-/// inner contact load equals the centrifugal force F_c of the ball, at the nominal contact angle:
+/// inner contact load equals the centrifugal force F_c, at the nominal contact angle:
 ///
 ///   F_min = Z F_c tan α0
 ///
 /// Source:   derived. GMN's minimum spring preload at the speed limit is 0.9 to 1.3 times this load
-///           for the S series, and 0.5 to 0.8 times this load for series with smaller balls
-///           (checked in the tests).
+///           for the S series, and 0.5 to 0.8 times for series with smaller balls (tested).
 [[nodiscard]] double minimum_load(const Bearing& bearing, double centrifugal_force);
 
 /// Finds the shaft position at equilibrium of front set, rear set and external load.
 ///
-/// The solver uses the Newton-Raphson method. The unknowns are the position of the shaft, the
-/// position of the rear set, and two coordinates of one ball of every bearing (thrust loads all
-/// balls equally). The ball coordinates are eliminated (Schur complement), and all derivatives are
-/// analytic. If the start from standstill or from the neighbour fails, the solver increases the
-/// squared speed, the loads and the shifts in steps (continuation). The status `no_equilibrium`
-/// means that the search found no equilibrium; the status does not prove that none exists. If both
-/// sets are unloaded, the shaft is free, and the status is `singular`.
+/// The unknowns of the Newton-Raphson method are the position of the shaft, the position of the
+/// rear set, and two coordinates of one ball of every bearing (thrust loads all balls equally). All
+/// derivatives are analytic. If the start from standstill or from the neighbour fails, the solver
+/// increases the squared speed, the loads and the shifts in steps (continuation). The status
+/// `no_equilibrium` does not prove that no equilibrium exists. If both sets are unloaded, the shaft
+/// is free, and the status is `singular`.
 ///
-/// A bearing may lose its inner contacts in equilibrium. It then carries no load.
+/// A bearing without inner contacts carries no load; this is a valid equilibrium.
 /// Domain:   speed >= 0. A state in which a bearing is in tension is not an equilibrium.
 /// Accuracy: the imbalance of forces is at most `options.tolerance` times the largest force. The
 ///           tilt of the inner rings is locked at zero. The physics is the same as in
@@ -126,8 +122,7 @@ struct ArrangementEquilibrium {
     const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);
 
 /// Solves many conditions. Each solve starts from the last converged solution. Throws
-/// std::invalid_argument for an invalid condition, and if `conditions` and `results` differ in
-/// size.
+/// std::invalid_argument for an invalid condition, and if the sizes of the arrays differ.
 void solve_arrangement(const Arrangement& arrangement,
                        std::span<const ArrangementCondition> conditions,
                        std::span<ArrangementEquilibrium> results,

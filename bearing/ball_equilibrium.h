@@ -91,9 +91,9 @@ struct BallBalanceOf : BallForcesOf<T> {
 using BallBalance = BallBalanceOf<double>;
 
 /// Contact of a ball with the inner race. With `automatic`, the ball touches the race if δi > 0.
-/// `kept` and `lost` fix the state of the contact while a solver searches. A `kept` contact may
-/// pull: Q = K δ |δ|^0.5, smooth through zero. A solution with `kept` contacts is valid only if
-/// none of them pulls.
+/// `kept` and `lost` fix the state of the contact while a solver searches. A `kept` contact may be
+/// in tension: Q = K δ |δ|^0.5, smooth through zero. A solution is valid only if no `kept` contact
+/// is in tension.
 enum class InnerContact : signed char { automatic, kept, lost };
 
 /// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
@@ -195,8 +195,8 @@ struct FrictionGain {
   return {r.inner_friction * slope, r.outer_friction * slope};
 }
 
-/// Results of the rotation law of a ball. Under inner control, a ball without inner contact is
-/// under outer control.
+/// Results of the rotation law of a ball. Even with inner control, a ball without inner contact
+/// follows the law of outer control.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,
@@ -362,8 +362,8 @@ template <Rotation rotation, typename T>
                                                                    moment_arm_ratio, contact);
 }
 
-/// A ball at rest. Its two contacts are springs in series on the line between the groove centres,
-/// (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3), so the ball position is not an unknown.
+/// Ball at rest. The two contacts of the ball are springs in series on the line between the groove
+/// centres, (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3), so the ball position is not an unknown.
 template <typename T>
 struct StaticBallOf {
   PlaneOf<T> ball_centre;  ///< X [m]

@@ -19,8 +19,8 @@ enum class Symmetry {
   none     ///< unknowns: all balls, x, y, z (and θy, θz if the tilt is free)
 };
 
-/// Number of balls of a bearing whose loads can differ under this symmetry. These distinct balls
-/// are the first balls of the circle. The bearing has `count` balls.
+/// Number of balls whose loads can differ under this symmetry, of `count` balls. These distinct
+/// balls are the first balls of the circle.
 [[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }
@@ -43,10 +43,10 @@ struct BallEquilibrium {
   double outer_contact_angle = unset;  ///< αo [rad]; NaN if the ball is loose (only at rest)
   double inner_load = unset;           ///< Qi, load at the inner race [N]
   double outer_load = unset;           ///< Qo, load at the outer race [N]
-  double inner_friction = unset;     ///< Ti, friction force at the inner race that balances M_g [N]
-  double outer_friction = unset;     ///< To, friction force at the outer race that balances M_g [N]
-  double centrifugal_force = unset;  ///< Fc [N]
-  double gyroscopic_moment = unset;  ///< M_g [N m]
+  double inner_friction = unset;       ///< Ti, friction force at the inner race [N]
+  double outer_friction = unset;       ///< To, friction force at the outer race [N]
+  double centrifugal_force = unset;    ///< Fc [N]
+  double gyroscopic_moment = unset;    ///< M_g, balanced by Ti and To [N m]
 };
 
 /// All balls of a bearing in equilibrium, ball k at azimuth 2 π k/Z. Balls that are equal by

@@ -25,10 +25,10 @@ struct EquilibriumOptions {
   bool gyroscopic_moment = true;  ///< false omits the moment M_g of the balls, for comparison
   double tolerance = 1e-11;       ///< largest accepted imbalance, relative to the load [1]
   int max_iterations = 2000;      ///< limit of the Newton steps, summed over all search stages
-  /// Rotations of the balls, used instead of race control: one for each ball in the order of
-  /// azimuth, or one for all balls. Balls that are equal by symmetry need equal rotations. An
-  /// arrangement needs one rotation for each bearing. At rest the rotations are ignored. The array
-  /// must exist until the solve ends.
+  /// Rotations of the balls, used instead of race control: one for each ball by azimuth, or one for
+  /// all balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one
+  /// rotation for each bearing. At rest the rotations are ignored. The array must exist until the
+  /// solve ends.
   std::span<const GivenRotation> rotations = {};
 };
 
@@ -58,26 +58,25 @@ struct BearingEquilibrium {
 /// Finds the displacement of the inner ring at which the balls carry the applied load.
 ///
 /// The Newton-Raphson method solves for ring and balls together. The two unknowns of each ball are
-/// eliminated (Schur complement), and all derivatives are analytic. For symmetric loads, the solver
-/// uses one ball (thrust) or half of the balls (load in the x-y plane). If a direct start fails,
-/// the solver follows the solution from pure thrust to the full load, and from standstill to the
-/// full speed. Under inner control, the solver also searches for the balls that have lost contact
-/// with the inner race. equilibrium_search.h gives the share of equilibria that this search misses.
-/// The status is `no_equilibrium` if no method finds a solution, or if no load presses the rings
-/// together.
+/// eliminated, and all derivatives are analytic. For symmetric loads, the solver uses one ball
+/// (thrust) or half of the balls (load in the x-y plane). If a direct start fails, the solver
+/// follows the solution from pure thrust to the full load, and from standstill to the full speed.
+/// Under inner control, the solver also searches for the balls that have lost contact with the
+/// inner race. equilibrium_search.h gives the share of missed equilibria. The status is
+/// `no_equilibrium` if no method finds a solution, or if no load presses the rings together.
 ///
 /// Domain:   speed >= 0. An angular-contact bearing carries axial load only in +x.
 /// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice the
 ///           residual is near the rounding error. The model assumes rigid rings, quasi-static
-///           motion and the chosen race control. It ignores the cage, the film and the truncation
-///           of the contact ellipse at the edge of the groove.
+///           motion and the chosen race control. The model ignores the cage, the film and the
+///           truncation of the contact ellipse at the edge of the groove.
 /// Throws std::invalid_argument for an operating point outside the range of validate().
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options = {});
 
-/// Finds the same equilibrium from the solution of a neighbouring operating point, for sweeps. If
-/// this start fails, the solver starts without the neighbour.
+/// Finds the equilibrium from the solution of a neighbouring point, for sweeps. If this start
+/// fails, the solver starts without the neighbour.
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options,

@@ -8,16 +8,15 @@
 
 namespace raceway::bearing {
 
-/// Bearing whose inner ring has a given displacement. The class finds the equilibrium of the balls
-/// and their forces on the inner ring. This class is the inverse of solve_bearing_equilibrium().
-/// Use this class for one speed with many displacements and groove shifts. Each solve starts from
-/// the previous solution. The object refers to the bearing, so the bearing must exist as long as
-/// the object.
+/// Finds the equilibrium of the balls, and the ball forces on the inner ring, for a given
+/// displacement of this ring. This class is the inverse of solve_bearing_equilibrium(). Use this
+/// class for one speed with many displacements and groove shifts. Each solve starts from the
+/// previous solution. The bearing must exist as long as the object.
 ///
-/// Domain:   speed >= 0. RingShift can shift the grooves.
+/// Domain:   speed >= 0. The grooves may be shifted (RingShift).
 /// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the
-///           ball. The physics is the same as in solve_bearing_equilibrium(). If the rings of an
-///           angular-contact bearing are separated, no ball is loaded, as in solve_arrangement().
+///           ball. The physics is the same as in solve_bearing_equilibrium(). No ball is loaded if
+///           the rings of an angular-contact bearing are separated, as in solve_arrangement().
 class DisplacedBearing {
  public:
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},
@@ -29,13 +28,11 @@ class DisplacedBearing {
   /// BearingEquilibrium. The shift of the grooves is added to this displacement. Returns false if a
   /// ball has no equilibrium; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
-  /// External forces on the inner ring that balance the forces of the balls: F_x, F_y, F_z [N],
-  /// M_y, M_z [N m].
+  /// External forces on the ring that balance the ball forces: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
-  /// Tangent stiffness ∂force/∂displacement with the balls in equilibrium [N/m, N/rad, N m/m,
-  /// N m/rad].
+  /// Tangent stiffness ∂force/∂displacement with the balls in equilibrium [SI].
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
-  /// All results at the last displacement. The axial displacement includes the shift, as in
+  /// Returns all results at the last displacement. The axial displacement includes the shift, as in
   /// BearingInSet.
   [[nodiscard]] BearingEquilibrium equilibrium() const;
 
@@ -67,8 +64,8 @@ class DisplacedBearing {
 };
 
 /// Returns the equilibrium of each bearing of an arrangement with the full tangent stiffness, front
-/// set first. In the frame of a bearing, +x is the direction of its axial load. `condition` must be
-/// the condition for which `equilibrium` was solved.
+/// set first. In the frame of a bearing, +x is the direction of its axial load. `equilibrium` must
+/// be the solution for `condition`.
 [[nodiscard]] std::vector<BearingEquilibrium> bearings_in_set(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const ArrangementEquilibrium& equilibrium, const EquilibriumOptions& options = {});

@@ -15,7 +15,7 @@ struct BearingGeometry {
   double inner_conformity = unset;  ///< f_i = groove radius / D [1], > 0.5
   double outer_conformity = unset;  ///< f_o = groove radius / D [1], > 0.5
   double radial_clearance = 0.0;  ///< diametral play of a deep-groove bearing [m], only at α0 = 0
-  double bore = unset;            ///< d [m], default d_m - 1.5 D
+  double bore = unset;            ///< bore diameter d [m], default d_m - 1.5 D
   double outer_diameter = unset;  ///< outer diameter of the outer ring [m], default d_m + 1.5 D
   double static_load_rating = unset;  ///< C0 [N]; required by friction laws that use it
   /// Diameters of the ring shoulders next to the grooves, if known [m]; see shoulder.h.
@@ -33,8 +33,8 @@ struct BearingGeometry {
   [[nodiscard]] double diameter_ratio() const;
 };
 
-/// Returns the geometry with defaults filled in. Throws std::invalid_argument for the first missing
-/// or impossible value. The message gives the name, the value with its unit, and the allowed range.
+/// Returns the geometry with defaults filled in. Throws std::invalid_argument with name, value and
+/// allowed range for the first missing or impossible value.
 [[nodiscard]] BearingGeometry validated(BearingGeometry geometry);
 
 }  // namespace raceway::bearing

@@ -13,11 +13,11 @@ struct Curvature {
   double difference = unset;  ///< F(ρ) [1], in [0, 1)
 };
 
-/// Returns the curvature of the contact between ball and groove at a contact angle [1/m, 1]:
+/// Returns the curvature of ball on groove at a contact angle [1/m, 1]:
 ///
 ///   Σρ D = 4 - 1/f ± 2γ/(1 ∓ γ),   F(ρ) Σρ D = 1/f ± 2γ/(1 ∓ γ),   γ = D cos α / d_m
 ///
-/// Upper signs apply to the inner race. Source: [Harris2006, vol. 1, eqs. 2.26-2.33].
+/// The upper signs apply to the inner race. Source: [Harris2006, vol. 1, eqs. 2.26-2.33].
 /// Domain: f > 0.5, γ < 1.
 [[nodiscard]] Curvature groove_curvature(const BearingGeometry& geometry, Race race,
                                          double contact_angle);
@@ -31,8 +31,8 @@ struct Curvature {
 /// κ = a/b >= 1; F and E are the complete elliptic integrals of modulus k = sqrt(1 - 1/κ²) (the
 /// argument of Boost's functions is k, not k²). Source: [Harris2006, vol. 1, eqs. 6.25-6.43].
 /// Domain:   0 <= F(ρ) < 1; F(ρ) = 0 is the circular contact.
-/// Accuracy: the relative error of κ is 1e-14. Physically, the theory assumes dry, frictionless,
-///           elastic half spaces. For close-fitting grooves (f < 0.51) its approach δ is wrong by a
+/// Accuracy: κ to 1e-14 relative. Physically, the theory assumes dry, frictionless, elastic half
+///           spaces. For close-fitting grooves (f < 0.51) the calculated approach δ is wrong by a
 ///           few per cent.
 struct HertzContact {
   double curvature_sum = unset;      ///< Σρ [1/m]

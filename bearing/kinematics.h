@@ -8,8 +8,8 @@ namespace raceway::bearing {
 enum class RaceControl { outer, inner };
 
 /// Speeds of a ball from its contact angles. The inner ring rotates at ω. The formulas are rational
-/// functions of the sines and cosines of the contact angles. A solver that has the sines and
-/// cosines as ratios of lengths needs no trigonometric function.
+/// functions of the sines and cosines of the contact angles, so solvers need no trigonometric
+/// functions.
 ///
 /// Orbital (cage) speed, ratio m = ω_m/ω [1]:
 ///
@@ -55,7 +55,7 @@ struct BallSpeeds {
                             ///< outer control
 };
 
-/// Speeds of a ball:
+/// Speeds of a ball. Under race control:
 ///
 ///   tan β = sin αo/(cos αo + g) (outer),  sin αi/(cos αi - g) (inner)
 ///   ω_R from rolling without slip at both contacts, which reduces to
@@ -66,7 +66,7 @@ struct BallSpeeds {
 /// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow from inserting tan β. The reduced
 ///         forms agree with the general formula to rounding (tested).
 ///
-/// BallRotation does not contain the pitch angle β, because β needs an arc tangent.
+/// BallRotation omits the pitch angle β, because β needs an arc tangent.
 struct BallRotation {
   double cage_speed;     ///< ω_m [rad/s]
   double along, across;  ///< components of ω_R along and across the bearing axis [rad/s]

@@ -29,7 +29,7 @@ class LoadShares {
   /// an axial component.
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
   /// Computes the positions of the ring and the balls for these contacts. The lost balls lie
-  /// against the outer race. Returns false if no ring position is found.
+  /// against the outer race. Returns false without a ring position.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
   /// Computes the positions like spread(). Returns the largest distance by which a ball violates
   /// the assumed state of its contact [m]; NaN if no ring position is found.

@@ -6,7 +6,7 @@
 
 namespace raceway::bearing {
 
-/// Elastic and inertial properties of a ball or of the rings.
+/// Elastic, inertial and thermal properties of the material of balls or rings.
 struct Material {
   std::string name;
   double elastic_modulus = unset;    ///< [Pa], > 0
@@ -20,8 +20,7 @@ struct Material {
 /// Returns silicon nitride Si3N4, hot pressed.
 [[nodiscard]] Material silicon_nitride();
 
-/// Throws std::invalid_argument for the first value that is missing or out of range. The message
-/// names the value.
+/// Throws std::invalid_argument with the name of the first value that is missing or out of range.
 void validate(const Material& material);
 
 }  // namespace raceway::bearing

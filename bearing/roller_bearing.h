@@ -46,8 +46,8 @@ struct RollerGeometry {
   }
 };
 
-/// Returns the geometry. Throws std::invalid_argument for the first missing or impossible value.
-/// The message gives the name, the value with its unit, and the allowed range.
+/// Returns the geometry. Throws std::invalid_argument with name, value and allowed range for the
+/// first missing or impossible value.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
 /// Number of slices of a roller. The number is fixed, because the life depends on the number of
@@ -60,10 +60,10 @@ inline constexpr std::size_t lamina_count = 41;
 ///   P = 0.00035 D ln(1/(1 - (2x/L)²))                          L <= 2.5 D
 ///   P = 0.0005 D ln(1/(1 - ((2|x| - L + 2.5 D)/(2.5 D))²))     L > 2.5 D, |x| > (L - 2.5 D)/2
 ///
-/// P is zero in the straight middle of a long roller, and everywhere for RollerProfile::none.
+/// P is zero in the straight middle of a long roller, and for RollerProfile::none.
 /// Source:   [ISO16281], not checked against the print. Two other programs use the first formula.
-///           The term in brackets in the second formula is from memory; one program uses a
-///           different term.
+///           The brackets of the second formula are from memory; one program has different
+///           brackets.
 /// Domain:   |x| < L/2.
 [[nodiscard]] double roller_relief(const RollerGeometry& geometry, double x);
 
@@ -83,15 +83,14 @@ inline constexpr std::size_t lamina_count = 41;
 ///           contact.
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
-  double compliance = unset;    ///< k1 + k2 [1/Pa]
+  double compliance = unset;    ///< k1 + k2 of roller and ring [1/Pa]
   double inner_radius = unset;  ///< R, equivalent radius at the inner raceway, D/2 (1 - D/d_m) [m]
   double outer_radius = unset;  ///< equivalent radius at the outer raceway, D/2 (1 + D/d_m) [m]
 
   [[nodiscard]] double radius(Race race) const {
     return race == Race::inner ? inner_radius : outer_radius;
   }
-  /// Half width of the contact, b = sqrt(4 w R (k1 + k2)/π) [m]. The load per length w is
-  /// `line_load` [N/m].
+  /// Half width b = sqrt(4 w R (k1 + k2)/π) [m] under a load per length w [N/m].
   [[nodiscard]] double half_width(Race race, double line_load) const {
     return std::sqrt(4.0 * line_load * radius(race) * compliance / pi);
   }
@@ -101,8 +100,8 @@ struct LineContact {
   }
 };
 
-/// Cylindrical roller bearing as the solvers need it: checked geometry, materials and derived
-/// constants. The object does not change after construction.
+/// Immutable cylindrical roller bearing for the solvers: checked geometry, materials and derived
+/// constants.
 class RollerBearing {
  public:
   /// Throws std::invalid_argument as validated(geometry) and validate(material) do.

@@ -7,7 +7,7 @@
 
 namespace raceway::bearing {
 
-/// Unknown positions: the shaft, the rear set, and one ball of every bearing.
+/// Positions that are unknowns: the shaft, the rear set, and one ball of every bearing.
 struct ShaftState {
   double shaft = 0.0;  ///< position of the shaft y = d x [m], with d and x of Arrangement
   double rear = 0.0;   ///< axial compression δ_r of the rear set [m]

@@ -10,7 +10,7 @@ enum class SolveStatus {
   not_run,
   converged,
   no_equilibrium,   ///< no equilibrium was found; see SolveReport::certain
-  iteration_limit,  ///< reached EquilibriumOptions::max_iterations
+  iteration_limit,  ///< the solver reached the limit of Newton steps
   singular,         ///< the load leaves a displacement undetermined
   not_finite,       ///< a value of the solution is infinite or NaN
 };
@@ -22,7 +22,7 @@ enum class SolveStatus {
 /// success.
 struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
-  int iterations = 0;       ///< Newton steps, over all stages
+  int iterations = 0;       ///< Newton steps, summed over all stages
   double residual = unset;  ///< largest imbalance of ring and balls, relative to load [1]
   /// Sum of the forces of the reported balls minus the applied load, relative to the load [1].
   double recovered_load_error = unset;

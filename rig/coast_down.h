@@ -8,8 +8,8 @@
 
 namespace raceway::rig {
 
-/// Options for the division of a coast-down into windows. Each window gives one row. The defaults
-/// are suitable for records with a few hundred to a million samples.
+/// Options for dividing a coast-down into windows. Each window gives one row. The defaults are
+/// suitable for records with a few hundred to a million samples.
 struct CoastDownOptions {
   int windows = 40;        ///< wanted windows per run; more windows give more and noisier rows
   int fewest_samples = 7;  ///< least samples in a window; 7 leave 4 degrees of freedom for noise
@@ -43,21 +43,21 @@ struct CoastDownTorque {
 ///
 /// The method is local regression. Each run is divided into windows of consecutive samples that do
 /// not overlap, so the errors of the rows are independent. A parabola in time is fitted to each
-/// window; its slope and value at the mean time of the window give the torque and speed of one row.
-/// The slope of a parabola is not affected by the curvature of ω(t), even for unequally spaced
-/// samples. For equal spacing, the noise of this slope equals the noise of the slope of a straight
-/// line. A window covers 1/`windows` of the run, because the noise of the slope falls with the
-/// 1.5th power of the window length. A window is shorter if the speed would fall by more than
+/// window. The slope and the value of the parabola at the mean time of the window give torque and
+/// speed of one row. The slope of a parabola is not affected by the curvature of ω(t), even for
+/// unequally spaced samples. For equal spacing, its noise equals the noise of the slope of a
+/// straight line. A window covers 1/`windows` of the run, because the noise falls with the 1.5th
+/// power of the window length. A window is shorter if the speed would fall by more than
 /// `largest_fall`. The remaining error comes from the third time derivative of the speed. For M ~
-/// ω^p and a relative fall s of the speed in a window, this error is the share p (2p - 1) s²/40 of
-/// the torque. At s = 0.25, the share is 0.04 % for p = 2/3 and 1 % for p = 2.
+/// ω^p and a relative fall s of the speed, this error is the share p (2p - 1) s²/40 of the torque.
+/// At s = 0.25, the share is 0.04 % for p = 2/3 and 1 % for p = 2.
 ///
-/// The standard deviation of a row is the residual scale of the whole run (robust, Huber's proposal
-/// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), the
-/// standard deviation is increased by the factor of a first-order autoregression. Samples that are
-/// more than 8 robust standard deviations away from a robust local parabola are excluded. A window
-/// does not extend over a gap in the record. Dense records are first averaged in blocks, at most 32
-/// in a window.
+/// The standard deviation of a row follows from the scatter of the residuals of the whole run
+/// (robust estimate, Huber's proposal 2), propagated to the slope. If neighbouring residuals are
+/// correlated (filtered signals), the standard deviation is increased by the factor of a
+/// first-order autoregression. Samples that are more than 8 robust standard deviations away from a
+/// robust local parabola are excluded. No window extends over a gap. Dense records are first
+/// averaged in blocks, at most 32 in a window.
 ///
 /// The line number of a row is the line in the middle of its window. The notes state how many
 /// samples were excluded or averaged, and name the first lines.

@@ -21,7 +21,7 @@ struct Fall {
 ///
 ///   1/M(ω_e) = ∫ dω/M / (ω1 - ω2)   gives   ω_e^-p = (ω1^(1-p) - ω2^(1-p)) / ((1 - p)(ω1 - ω2))
 ///
-/// This is a Stolarsky mean: the logarithmic mean for p = 1, and sqrt(ω1 ω2) for p = 2.
+/// ω_e is a Stolarsky mean: the logarithmic mean for p = 1, and sqrt(ω1 ω2) for p = 2.
 /// Source:   derived.
 /// Domain:   ω1 > ω2 > 0, any p; p = 0 and p = 1 are limits.
 /// Accuracy: rounding. The mean of the two speeds would give a relative error of M of p (p + 1)
@@ -35,17 +35,16 @@ struct Fall {
 ///
 /// The exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the
 /// row and its neighbours. A neighbour is the nearest lower or higher fall of the same run with the
-/// same other inputs. The middle speed of a neighbour lies outside the fall of the row. For the
-/// fastest or slowest fall of a run, the next two falls are the neighbours. p and p'/p are limited
-/// to the range -4 to 4. For two falls, p' is 0; for a single fall, p = 2/3, as for a viscous
-/// moment. With p and p' of a parabola, ω_e is correct to second order in s = (ω1 - ω2)/ω for every
-/// smooth law.
+/// same other inputs. The middle speed of a neighbour lies outside the fall of the row. The fastest
+/// or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4. For two falls, p' is
+/// 0; for a single fall, p = 2/3, as for a viscous moment. With p and p' of a parabola, ω_e is
+/// correct to second order in s = (ω1 - ω2)/ω for every smooth law.
 ///
-/// `falls` has one entry for each row of `record`, which contains the other inputs and the runs. In
-/// the result, ω_e replaces the speed of the record. If every fall has a standard deviation of the
-/// time, the torques have the standard deviation σ_M = M σ_t/t. Throws std::invalid_argument if the
-/// inertia is missing or not positive, if `falls` and `record` differ in length, and for an invalid
-/// fall (the message names its line).
+/// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
+/// ω_e replaces the speed of the record. If every fall has a standard deviation of the time, the
+/// torques have σ_M = M σ_t/t. Throws std::invalid_argument if the inertia is missing or not
+/// positive, if `falls` and `record` differ in length, and for an invalid fall (the message names
+/// its line).
 [[nodiscard]] record::Record fall_torque(const record::Record& record, std::span<const Fall> falls,
                                          const model::Rig& rig);
 

@@ -12,7 +12,7 @@
 namespace raceway::rig {
 
 /// Equilibria of the bearing at the rows of a record, for the parameter values of the model file.
-/// The first request solves the equilibria. Later requests share them.
+/// The equilibria are solved at the first request and then shared.
 class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);
@@ -35,15 +35,15 @@ class EnteredBalances {
 };
 
 /// Predicts the friction torque that a rig measures at every row of a record [N m]. If a parameter
-/// changes, the predictor repeats only the calculation stages from the first affected stage.
+/// changes, only the stages from the first affected stage are repeated.
 class RigPredictor : public fit::Predictor {
  public:
   /// `entered` may be null. Only the constructor uses it.
   RigPredictor(const model::Model& model, const record::Record& record,
                std::vector<model::ParameterPlace> places, const EnteredBalances* entered);
-  /// Writes the torque of every row to `out` [N m]. `values` are in the order of `places`. If the
-  /// model rejects the values, all torques are NaN. If the model rejects the values of its own
-  /// file, the function throws std::invalid_argument with the reason.
+  /// Writes the torque of every row to `out` [N m]. `values` are in the order of `places`. All
+  /// torques are NaN for values that the model rejects. If the model rejects the values of its
+  /// file, the function throws std::invalid_argument.
   void readings(std::span<const double> values, std::span<double> out) override;
 
  private:

@@ -19,17 +19,16 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the columns of the saturated regression (fit::Saturation): the torque times a cubic
-  /// polynomial in ln speed, ln axial load and temperature with interactions. Quadratic terms are
-  /// added for the radial load, the preload and the ring temperatures if they vary. For cylindrical
-  /// rollers, the radial load replaces the axial load.
+  /// Returns the columns of the saturated regression: the torque times a cubic polynomial in ln
+  /// speed, ln axial load and temperature with interactions. Quadratic terms are added for the
+  /// radial load, the preload and the ring temperatures if they vary. For cylindrical rollers, the
+  /// radial load replaces the axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns the input whose scatter changes the torque: the temperature, if it varies in the
-  /// record.
+  /// Returns the temperature, if the temperature varies in the record.
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns the factors of each row: speed, load and viscosity. The load is the root of the sum of
-  /// squares of axial and radial load.
+  /// Returns the factors of each row: speed, load and viscosity. The load is the resultant of axial
+  /// and radial load.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns inputs and unit of a formula for the moment of one bearing, for a user-defined effect.
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
@@ -37,11 +36,11 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Returns the laws that can replace the law of the model, with ids such as "law:skf".
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Also names the rows that two parameters of the contact law need. mu_boundary needs rows with a
-  /// film ratio below 2. limiting_traction needs rows with a contact pressure above 1.5 GPa.
+  /// Adds missing rows for two parameters of the contact law to ModelSubject::lacks(): mu_boundary
+  /// needs a film ratio below 2, and limiting_traction needs a contact pressure above 1.5 GPa.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns descriptions of measurements that would distinguish the rival explanations, such as a
-  /// new measurement of the oil viscosity.
+  /// Returns measurements that would distinguish the rival explanations, such as a new measurement
+  /// of the oil viscosity.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

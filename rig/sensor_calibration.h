@@ -23,13 +23,13 @@ inline constexpr int highest_sensor_degree = 3;
 /// A test is significant if its p-value is below this limit.
 inline constexpr double sensor_significance = 0.01;
 
-/// Tests whether the scatter of repeated readings can explain the distance of their means from the
+/// Tests whether the scatter of repeated readings explains the distance of the means from the
 /// curve.
 ///
 ///   F = (Σ n_l (mean_l - V(M_l))² / (L - p)) / (Σ (V - mean_l)² / (N - L))
 ///
-/// There are N readings at L torques M_l, with n_l readings at M_l. The curve V(M) has p
-/// coefficients. Source: [NISThandbook, 4.4.4.6].
+/// N readings were taken at L torques, n_l at M_l. The curve V(M) has p coefficients. Source:
+/// [NISThandbook, 4.4.4.6].
 struct LackOfFit {
   double statistic = unset;            ///< F; NaN if the readings allow no test
   double p_value = unset;              ///< [1]
@@ -38,8 +38,8 @@ struct LackOfFit {
 };
 
 /// Mean signal at falling torque minus mean signal at rising torque, at each torque that was read
-/// in both directions. The ends of the range are excluded, because both directions share one
-/// reading there. Student's t test checks whether the mean of these differences is zero.
+/// in both directions, except the ends of the range. Student's t test checks whether the mean of
+/// these differences is zero.
 struct Hysteresis {
   int torques = 0;            ///< number of torques read in both directions
   double mean = unset;        ///< mean difference [V]; NaN if `torques` is 0
@@ -53,38 +53,35 @@ struct SensorCalibration {
   TorqueSensor sensor;
   int readings = 0, torques = 0, degrees_of_freedom = 0;
   double signal_range = unset;  ///< |V(highest) - V(lowest)|, the reference for relative errors [V]
-  /// Standard deviation of `signal_range` [V], which determines the uncertainty of the sensor gain.
+  /// Standard deviation of `signal_range`: the uncertainty of the gain [V].
   double range_std = unset;
-  /// Largest distance of the mean signal at one torque from the best straight line [V].
+  /// Largest distance of a mean signal at one torque from the best straight line [V].
   double off_line = unset;
   /// Largest distance of the mean signal at one torque from the curve [V].
   double off_curve = unset;
-  /// p-value for the hypothesis that all terms above the degree of the curve, up to the third
-  /// degree, are zero [1]; NaN if no higher term can be tested.
+  /// p-value of all higher terms up to the third degree [1]; NaN if no higher term can be tested.
   double higher_terms_p_value = unset;
   LackOfFit lack_of_fit{};
   Hysteresis hysteresis{};
-  /// p-value for the hypothesis that the scatter is equal at every torque, after [Koenker1981] [1];
-  /// NaN below 10 readings or without scatter.
+  /// p-value of equal scatter at every torque [Koenker1981] [1]; NaN below 10 readings or without
+  /// scatter.
   double even_scatter_p_value = unset;
-  /// Scatter in the lower and in the upper half of the range of |M| [V]; NaN below 10 readings or
-  /// without scatter.
+  /// Scatter in the lower and upper half of the range of |M| [V]; NaN like even_scatter_p_value.
   double scatter_low = unset, scatter_high = unset;
   std::vector<record::Note> notes{}, warnings{};
 
   [[nodiscard]] int degree() const { return static_cast<int>(sensor.coefficients.size()) - 1; }
-  /// Returns the standard deviation of coefficient b_k, with k = `coefficient` [V/(N m)^k].
+  /// Returns the standard deviation of coefficient b_k [V/(N m)^k].
   [[nodiscard]] double std(int coefficient) const;
 };
 
 /// Fits the signal as a polynomial of the torque by least squares, with QR decomposition for the
 /// scaled torque. If no degree is given, the lowest degree is used for which no higher term, up to
 /// the third, is significant. If the scatter changes significantly along the range, the covariance
-/// comes from the estimator HC3 of [MacKinnon1985], which is valid for such a change.
+/// comes from HC3 of [MacKinnon1985], which is valid for such a change.
 ///
-/// Throws std::invalid_argument for an invalid degree, for only one reference torque, for too few
-/// torques or readings (degree + 1 torques and degree + 2 readings are needed), and for a signal
-/// that does not depend on the torque or is not monotone.
+/// Throws std::invalid_argument for an invalid degree, for fewer than degree + 1 torques or degree
+/// + 2 readings, and for a signal that does not depend on the torque or is not monotone.
 /// Accuracy: 1e-10 relative to the certified values of the NIST data sets Pontius and Norris.
 [[nodiscard]] SensorCalibration calibrate_sensor(std::span<const SensorReading> readings,
                                                  std::optional<int> degree = {});

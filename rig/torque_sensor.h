@@ -31,7 +31,7 @@ struct TorqueSensor {
   double highest_signal = unset;   ///< highest signal of the calibration [V]
   /// Signal without torque on the day of the record [V]; replaces V(0).
   std::optional<double> zero = {};
-  /// Standard deviation of `zero` [V]. If it is empty, `scatter` is used, as for a single reading.
+  /// Standard deviation of `zero` [V]; if empty, `scatter` of a single reading.
   std::optional<double> zero_std = {};
   std::string source = {};  ///< file of the calibration, for messages
 };
@@ -58,9 +58,8 @@ struct SensedTorque {
   double common;
 };
 
-/// Returns the torque of a signal [V]. The standard deviations of the torque come from a linearised
-/// propagation of errors. `signal_std` [V] replaces the scatter of one reading; NaN keeps the
-/// scatter.
+/// Returns the torque of a signal [V]. The standard deviations of the torque are linearised.
+/// `signal_std` [V] replaces the scatter of one reading; NaN keeps the scatter.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);
 
@@ -74,8 +73,7 @@ struct SensedTorques {
 };
 
 /// Converts the signals of a record to torques. `deviations` has a standard deviation for each
-/// signal [V], or is empty; the calibration then gives the scatter. `lines` are line numbers of the
-/// file, for notes.
+/// signal [V], or is empty. `lines` are line numbers of the file, for notes.
 [[nodiscard]] SensedTorques sensed_torques(const TorqueSensor& sensor,
                                            std::span<const double> signals,
                                            std::span<const double> deviations,

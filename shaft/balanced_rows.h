@@ -14,8 +14,8 @@ namespace raceway::shaft {
 /// equilibrium is solved again only if the mounted sets, their condition or the inputs of ball
 /// rotation have changed.
 ///
-/// The axial load of a row is the external load on the shaft. If the record has no axial load, the
-/// external load of the model is used. The recorded preload force at standstill and recorded ring
+/// The axial load of a row is the external load on the shaft. A record without axial load uses the
+/// external load of the model. The recorded preload force at standstill and recorded ring
 /// temperatures replace the values of the model. set_temperatures() gives the temperatures of shaft
 /// and housing. If the model gives no ball temperature, the balls have the mean temperature of the
 /// rings.
@@ -47,8 +47,7 @@ class BalancedRows {
     return balances_[rows_[i].balance];
   }
 
-  /// Mounts the sets with the parameter values of a model. Call find() afterwards for each row, in
-  /// the order of the rows.
+  /// Mounts the sets with the parameter values of a model. Then call find() for the rows in order.
   void mount(const Model& model, const Steps& steps);
   /// Solves the equilibrium of row i. Returns false if the sets cannot be mounted or have no
   /// equilibrium, if the speed or the load is not finite, or if an effect gives no finite value.

@@ -12,7 +12,7 @@ namespace raceway::shaft {
 
 /// Axial rigidity of a back-to-back pair in one preload class: catalogue value and fitted value.
 struct PairRigidity {
-  std::string preload_class;  ///< "L", "M", "S"
+  std::string preload_class;  ///< name of the class, such as "L", "M" or "S"
   double preload = unset;     ///< axial preload force on each bearing [N]
   double printed = unset;  ///< axial rigidity of the pair from the catalogue, tangent 2 dF/dx [N/m]
   double computed = unset;  ///< axial rigidity with the fitted conformity [N/m]
@@ -24,7 +24,7 @@ struct PairRigidity {
 inline constexpr double lowest_conformity = 0.505, highest_conformity = 0.56;
 
 struct ConformityFit {
-  double conformity = unset;  ///< common value of both grooves [1]
+  double conformity = unset;  ///< fitted conformity of both grooves [1]
   /// Standard error of `conformity` [1]; NaN if there is only one preload class, or if the
   /// conformity is at a bound.
   double std = unset;
@@ -35,17 +35,17 @@ struct ConformityFit {
 };
 
 /// Returns the axial tangent rigidity of a back-to-back pair of equal bearings at rest with rigid
-/// preload: twice the rigidity of one bearing under this preload [N/m]. The result is NaN if there
-/// is no equilibrium.
+/// preload: twice the rigidity of one bearing under this preload [N/m]. The result is NaN without
+/// equilibrium.
 [[nodiscard]] double pair_rigidity(const bearing::Bearing& bearing, double preload);
 
 /// Fits one groove conformity for both races to the pair rigidities of a catalogue. The fit
 /// minimises Σ ln²(computed/printed) within lowest_conformity..highest_conformity. The conformities
 /// in `bearing` are not used.
 ///
-/// The rigidity hardly distinguishes the two races, so only a common value can be found. This value
-/// also compensates for all other differences in stiffness between this model and the catalogue,
-/// such as elastic rings.
+/// The rigidity hardly distinguishes the two races, so the fit can find only a common conformity.
+/// The fitted conformity also compensates for all other differences in stiffness between this model
+/// and the catalogue, such as elastic rings.
 /// Accuracy: `std` comes from the scatter of the deviations over the preload classes. `std` does
 ///           not include an error of the maker's method of calculation. A change of the conformity
 ///           by 0.01 changes the rigidity by 19 % (contact angle 15 deg) or 12 % (25 deg).

@@ -37,8 +37,7 @@ class DisplacementRows {
 /// Returns the displacement of the shaft at the rows of a record [m]: ShaftPrediction::displacement
 /// plus the contributions of effects on the transducer reading. The value of a row is NaN if the
 /// sets have no equilibrium or an effect gives no finite value. BalancedRows defines the load,
-/// preload and temperatures of a row. Throws std::invalid_argument like the constructor of
-/// BalancedRows.
+/// preload and temperatures of a row. Throws std::invalid_argument like BalancedRows.
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
 

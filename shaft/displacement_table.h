@@ -11,18 +11,18 @@ namespace raceway::shaft {
 /// cubic passes through the points and is monotone between neighbouring points.
 struct DisplacementTable {
   std::vector<double> speed;         ///< increasing [rad/s]
-  std::vector<double> displacement;  ///< [m]
+  std::vector<double> displacement;  ///< displacement at each speed [m]
   std::vector<double> slope;         ///< du/dω at the point [m s/rad]
-  /// True if the displacement only rises or only falls with the speed. Otherwise the displacement
-  /// changes direction only at points of the table.
+  /// True if the displacement only rises or only falls. Otherwise the displacement turns only at
+  /// points of the table.
   bool monotone = false;
 };
 
 /// Makes the table of a curve. Points with the same speed are averaged.
 ///
-/// Slopes come from PCHIP [FritschCarlson1980], so the cubic has no turning point between two
-/// points. Throws std::invalid_argument for fewer than four different speeds and for a value that
-/// is not finite.
+/// The slopes come from the PCHIP method [FritschCarlson1980], so the cubic has no turning point
+/// between two points. Throws std::invalid_argument for fewer than four different speeds and for a
+/// value that is not finite.
 [[nodiscard]] DisplacementTable make_displacement_table(std::span<const DisplacementPoint> curve);
 
 /// Evaluates the cubic through the table at a speed [rad/s]. Outside the table, the function

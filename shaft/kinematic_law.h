@@ -12,7 +12,7 @@ namespace raceway::shaft {
 ///
 ///   u = A n^(1 - B exp(-C n))
 ///
-/// The formula uses the published units: u [um], n [rpm], A [um], B [1], C [1/rpm]. evaluate() has
+/// The formula uses the published units: u [um], n [rpm], A [um], B [1], C [1/rpm]. evaluate() uses
 /// SI units.
 /// Source:   [Brecher2021, eq. 10], with A = 1.28e-3, B = 0.697, C = 5.3e-4: 12.396 um at
 ///           10 000 rpm.
@@ -23,8 +23,8 @@ namespace raceway::shaft {
 ///           standstill to 1: not to 0, and not to 2 as for centrifugal forces. At high speed u
 ///           becomes A n. The slope at standstill is infinite for 0 < B < 1. The published curve
 ///           has inflection points at 111.28 and 5691.27 rpm (u'' = 0). The slope is smallest at
-///           111 rpm and largest at 5691 rpm. A multiplies a power of a large number, so its digits
-///           are as important as the digits of B.
+///           111 rpm and largest at 5691 rpm. A multiplies a power of a large number, so the digits
+///           of A are as important as the digits of B.
 template <typename T>
 T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C) {
   using std::exp;
@@ -53,7 +53,7 @@ struct KinematicLaw {
 ///
 ///   du/dn = u/n (1 - B exp(-C n) (1 - C n ln n))
 ///
-/// Domain:   lowest_speed <= speed <= highest_speed. Outside this range, the law does not
+/// Domain:   lowest_speed <= speed <= highest_speed. Outside this range, the function does not
 ///           extrapolate. The function returns the displacement of the nearer end with slope zero
 ///           and `inside` false, so a control loop sees neither a step nor a NaN. A NaN speed gives
 ///           a NaN displacement.

@@ -17,8 +17,8 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the columns of the saturated regression (fit::Saturation) for a torque. The load input
-  /// of the regression is the ratio of external load to preload.
+  /// Returns the columns of the saturated regression for a torque. The load input of the regression
+  /// is the ratio of external load to preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
@@ -31,7 +31,7 @@ class SetTorqueSubject final : public ShaftSubject {
                                   std::span<const double> predicted) const override;
   /// Returns the other friction laws as base models.
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Returns descriptions of measurements that distinguish the rival explanations.
+  /// Returns measurements that distinguish the rival explanations.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

@@ -15,7 +15,7 @@ using model::Steps;
 /// Condition of the sets of a shaft at one operating point.
 struct ShaftCondition {
   bearing::ArrangementCondition sets;
-  std::vector<effects::Condition> bearings;  ///< changes by effects of each bearing, front first
+  std::vector<effects::Condition> bearings;  ///< changes of each bearing, front set first
 };
 
 /// Mounts the bearing sets of a shaft and finds their operating condition, with the changes by

@@ -23,8 +23,8 @@ struct ShaftPoint {
 /// `equilibrium.report` gives the reason.
 struct ShaftPrediction {
   bearing::ArrangementEquilibrium equilibrium;
-  /// Shaft position relative to standstill with the same external load, as mounted and at the
-  /// mounting temperature, positive towards the tool [m].
+  /// Shaft position minus the position at standstill, under the same external load and at the
+  /// mounting temperature; positive towards the tool [m].
   double displacement = unset;
   std::vector<model::FrictionPrediction> friction;  ///< friction of each bearing, front set first
   std::vector<friction::HeatSplit> heat;  ///< heat of each bearing, split between its rings
@@ -41,10 +41,10 @@ struct ShaftPrediction {
 /// last converged point.
 ///
 /// Effects that change the condition of a bearing enter the equilibrium of the sets (see
-/// ShaftBalance). SetFriction gives the friction of each bearing. The position does not include
-/// effects on the reading of a transducer, and the torque does not include effects on the reading
-/// of a torque sensor. predict_displacement() and predict_torque() add these effects. Throws
-/// std::invalid_argument for a model without a shaft and for points that are not finite.
+/// ShaftBalance). SetFriction gives the friction of each bearing. Position and torque do not
+/// include effects on sensor readings. predict_displacement() and predict_torque() add these
+/// effects. Throws std::invalid_argument for a model without a shaft and for points that are not
+/// finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 

@@ -17,22 +17,22 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the columns of the saturated regression (fit::Saturation) of the base class, with the
-  /// levels of speed, axial load and preload.
+  /// Returns the saturated regression of the base class, with the levels of speed, axial load and
+  /// preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns the factors of each row: speed, preload (0 if not recorded) and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns a message if the measured displacement is more than 200 times larger or smaller than
-  /// the prediction (wrong unit), or if it has the opposite sign. Otherwise the text is empty.
+  /// the prediction, or has the opposite sign; otherwise an empty text.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the inputs and levels from which the next measurements are chosen. If the preload does
-  /// not vary in the record, the levels include half and twice this preload.
+  /// Returns inputs and levels for the next measurements. If the preload does not vary in the
+  /// record, the levels include half and twice this preload.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Returns descriptions of measurements that distinguish the rival explanations. Ring
-  /// temperatures, and runs with rising and falling speed, separate effects of heat from effects of
-  /// speed. The inspection sheet of the bearings is added if a bearing dimension is a rival.
+  /// Returns measurements that distinguish the rival explanations: ring temperatures, and runs with
+  /// rising and falling speed, separate heat from speed. Adds the inspection sheet of the bearings
+  /// if a bearing dimension is a rival.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

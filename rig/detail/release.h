@@ -27,8 +27,8 @@ struct ReleaseOptions {
 ///
 /// The release is a kink of ω(t). Friction of a free shaft depends on its speed, so dω/dt does not
 /// jump, but the torque of a drive ends abruptly. At every sample, two least-squares models are
-/// compared. They use the samples before it (4 or more) and after it (`fewest` or more) within a
-/// speed change of `largest_fall`:
+/// compared. Both models use the samples before (4 or more) and after this sample (`fewest` or
+/// more), within a speed change of `largest_fall`:
 ///
 ///   released   a line before, a separate parabola after: 5 parameters
 ///   free       one polynomial of degree five: 6 parameters
@@ -44,9 +44,9 @@ struct ReleaseOptions {
 /// Domain:   a fall that begins slowly is not treated as a plateau, because it has no kink. The
 ///           release is within `largest_fall` of the highest speed. A brake, a seal or boundary
 ///           friction at lower speed is not treated as a release. A plateau hidden by noise is
-///           kept; it shifts the first torques by at most a few standard deviations. Records with
-///           more than 1000 samples are averaged first. Then up to three thousandths of the samples
-///           after the release are also excluded.
+///           kept. Such a plateau shifts the first torques by at most a few standard deviations.
+///           Records with more than 1000 samples are averaged first. Then up to three thousandths
+///           of the samples after the release are also excluded.
 [[nodiscard]] std::size_t samples_before_release(std::span<const Block> samples,
                                                  const ReleaseOptions& options);
 

@@ -10,8 +10,7 @@
 /// Search for fit_kinematic_law(), in the units of the law (rpm, um).
 namespace raceway::shaft {
 
-/// Rows for the fit, in order of increasing speed: speed n [rpm], ln n, displacement u [um], and
-/// weight [1/um], or [1] without standard deviations.
+/// Rows for the fit, by increasing speed: n [rpm], ln n, u [um], and weight [1/um] or [1].
 struct LawRows {
   std::vector<double> n, log_n, u, weight;
 };
@@ -20,12 +19,12 @@ struct LawShape {
   double B = unset, C = unset;
 };
 
-/// Bounds of B [1] and C [1/rpm]. Both bounds of C are above 0.
+/// Bounds of B [1] and C [1/rpm]; the bounds of C are above 0.
 struct LawRange {
   double lower_B, upper_B, lower_C, upper_C;
 };
 
-/// Optimum that one descent has reached.
+/// Optimum reached by one descent.
 struct LawOptimum {
   double size = unset;  ///< displacement at the highest speed [um]
   LawShape shape;
@@ -34,7 +33,7 @@ struct LawOptimum {
   fit::FitStatus status = fit::FitStatus::failed;
 };
 
-/// Returns the optimum that a descent reaches from a start. The parameter A is eliminated.
+/// Returns the optimum that a descent reaches from a start; A is eliminated.
 [[nodiscard]] LawOptimum nearest_optimum(const LawRows& rows, const LawRange& range,
                                          const LawShape& start);
 
