@@ -80,8 +80,8 @@ struct ArrangementEquilibrium {
   std::vector<BearingInSet> bearings;
   SolveReport report;
 
-  /// Returns bearing i with all balls, for the friction laws. Only x has a displacement and a
-  /// stiffness; the other displacements are 0, and the other stiffness components are NaN.
+  /// Returns bearing i with all balls, for the friction laws. Displacement and stiffness are known
+  /// only along x: the other displacements are 0, and the other stiffness components are NaN.
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
   /// Returns the given ball rotation of each bearing, for EquilibriumOptions::rotations; empty
   /// under race control.

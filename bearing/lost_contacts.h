@@ -11,16 +11,17 @@ namespace raceway::bearing {
 /// When a ball loses the contact, its gyroscopic couple becomes zero and the ball moves further
 /// from the race. Over a range of groove positions, both `kept` and `lost` are therefore possible.
 /// The search tries sets of kept balls. A solution is valid if no kept ball is in tension and no
-/// lost ball penetrates the race. A ball that violates this condition has a wrong contact.
+/// lost ball penetrates the race.
 class ContactSearch {
  public:
   explicit ContactSearch(RingSystem& system) : system_(system) {}
 
-  /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the ball
-  /// with the worst wrong contact changes between kept and lost, until no contact is wrong. If a
-  /// set recurs, the search tries similar sets, beginning with the sets that fit statics best. Then
-  /// the search tries sets that differ by one ball from sets whose equilibrium has a wrong contact.
-  /// Returns true if an equilibrium is found, with `state` as the solution.
+  /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the kept
+  /// ball most in tension or the lost ball that penetrates the race most changes its contact, until
+  /// no such ball exists. If a set recurs, the search tries similar sets, beginning with the sets
+  /// that fit statics best. Then the search tries sets that differ by one ball from the sets that
+  /// were solved but not valid. Returns true if a valid equilibrium is found, with `state` as the
+  /// solution.
   [[nodiscard]] bool settle(RingState& state);
   /// Tries the sets of settle() that differ by one ball again, with more Newton steps for each set.
   [[nodiscard]] bool widen(RingState& state);
@@ -31,7 +32,7 @@ class ContactSearch {
  private:
   using Contacts = std::vector<InnerContact>;
 
-  /// A set of contacts whose equilibrium has at least one wrong contact.
+  /// A set of contacts that was solved, but is not valid for at least one ball.
   struct OpenSet {
     Contacts contacts;
     RingState state;

@@ -22,9 +22,9 @@ namespace raceway::bearing {
 ///   θ - (α + asin(a/r))
 ///
 /// θ is shoulder_angle(), a is the half axis of the ellipse across the rolling direction, and r is
-/// the groove radius. The ball with the smallest margin decides. If the margin is below zero, the
-/// edge of the shoulder truncates the ellipse, and the pressure at the edge is higher than Hertz
-/// theory predicts.
+/// the groove radius. The result is the smallest margin of all balls that touch. If the margin is
+/// below zero, the edge of the shoulder truncates the ellipse, and the pressure at the edge is
+/// higher than Hertz theory predicts.
 /// Source:   comparison of the static ellipse with the land height, as in [Harris2006, vol. 1];
 ///           from memory, not checked against the print.
 /// Domain:   a bearing in equilibrium. For α0 = 0 (deep groove, two shoulders) |α| replaces α;

@@ -23,8 +23,8 @@ struct ShaftPoint {
 /// `equilibrium.report` gives the reason.
 struct ShaftPrediction {
   bearing::ArrangementEquilibrium equilibrium;
-  /// Shaft position minus the position at standstill, under the same external load and at the
-  /// mounting temperature; positive towards the tool [m].
+  /// Shaft position minus the position of the mounted shaft at standstill and mounting temperature,
+  /// under the same external load; positive towards the tool [m].
   double displacement = unset;
   std::vector<model::FrictionPrediction> friction;  ///< friction of each bearing, front set first
   std::vector<friction::HeatSplit> heat;  ///< heat of each bearing, split between its rings
