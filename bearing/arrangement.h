@@ -13,11 +13,11 @@ namespace raceway::bearing {
 /// Orientation of the bearing sets at the two ends of a shaft. `front` is the tool side.
 ///
 ///   back_to_back   O: front bearings push the shaft towards the tool, rear bearings away from it
-///   face_to_face   X: opposite directions
-///   tandem         all bearings in one set, which pushes towards the tool, against a spring
+///   face_to_face   X: front bearings push the shaft away from the tool, rear bearings towards it
+///   tandem         all bearings are in one set, which pushes towards the tool against a spring
 enum class Layout { back_to_back, face_to_face, tandem };
 
-/// Support of the outer rings of the rear set: fixed in the housing, or preloaded by a spring.
+/// Support of the outer rings of the rear set: fixed in the housing, or pushed by a preload spring.
 enum class Mounting { rigid, spring };
 
 enum class Side { front, rear };
@@ -25,19 +25,18 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// Additional compression of this bearing relative to its set, because of its ground faces [m].
+  /// Axial compression of this bearing minus the compression of its set, due to face grinding [m].
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
 
-/// Axial force on each side at standstill, the sum over its bearings [N], > 0.
+/// Preload force at standstill: axial force on each side, summed over its bearings [N], >= 0.
 struct PreloadForce {
   double force = unset;
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// Clamping travel from first contact of the two sides [m]. This travel equals the gap ground into
-/// the faces.
+/// Axial clamping travel after the first contact of both sets: the gap ground into the faces [m].
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
@@ -53,13 +52,13 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
-  /// Interpolation from this mounting (0) to the other one (1) [1]: from a spring to a rigid
-  /// mounting, or from a rigid mounting to a spring of constant force. See Arrangement::Seat.
+  /// Share of the other mounting, from 0 to 1 [1]: of a rigid mounting for a spring, and of a
+  /// spring of constant force for a rigid mounting. See Arrangement::Seat.
   double other_mounting = 0.0;
-  /// Axial stiffness between the sets, in series with them [N/m].
+  /// Axial stiffness of the shaft between the sets, in series with the sets [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
   double housing_stiffness = std::numeric_limits<double>::infinity();
-  /// Distance of the sets, for thermal expansion [m]
+  /// Distance between the sets, along which shaft and housing expand thermally [m].
   double distance = 0.0;
   double shaft_expansion = 11.5 * per_million_K;    ///< [1/K]
   double housing_expansion = 11.5 * per_million_K;  ///< [1/K]
@@ -67,29 +66,29 @@ struct ArrangementDesign {
   [[nodiscard]] bool operator==(const ArrangementDesign&) const = default;
 };
 
-/// Sets of bearings on a shaft, preloaded at standstill. Immutable. The constructor solves the
-/// equilibrium at rest. There each ball acts as two springs in series, so its position is not an
-/// unknown. Copies share the bearings.
+/// Immutable sets of bearings on a shaft, preloaded at standstill. The constructor solves the
+/// equilibrium at rest, with each ball as two springs in series. Copies of the object share the
+/// bearings.
 ///
 /// x is the shaft's axial position at the front set, positive towards the tool, zero as mounted: at
-/// standstill, at the mounting temperature, without external load. With d = 1 (X: d = -1), the
-/// axial compressions of the two sets are
+/// standstill, at the mounting temperature, without external load. With d = 1 (X arrangement:
+/// d = -1), the axial compressions of the two sets are
 ///
 ///   front   δ_f = δ_f0 - d x
 ///   rear    δ_r = δ_r0 + d (x - e) - c (F_r - F_0)     rigid, c = 1/shaft + 1/housing stiffness
 ///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring, 1/k = 1/rate + c
 ///
-/// δ is zero if the balls of a bearing just touch at their nominal contact angle. e is the
-/// elongation of the shaft minus the elongation of the housing between the sets. In tandem the
-/// spring replaces the rear set.
+/// At δ = 0 the balls of a bearing without offset just touch both races, at the nominal contact
+/// angle. e is the elongation of the shaft minus the elongation of the housing between the sets. In
+/// tandem the spring replaces the rear set.
 class Arrangement {
  public:
-  /// Throws std::invalid_argument for a missing or impossible value. The message gives its name,
-  /// its value with unit, and the allowed range.
+  /// Throws std::invalid_argument with name, value and allowed range for a missing or impossible
+  /// value.
   explicit Arrangement(ArrangementDesign design);
 
   [[nodiscard]] const ArrangementDesign& design() const { return design_; }
-  /// Bearings from the tool to the rear, front set first.
+  /// Bearings in the order from the tool to the rear.
   [[nodiscard]] std::span<const MountedBearing> bearings() const { return bearings_; }
   [[nodiscard]] std::size_t front_count() const { return design_.front.size(); }
   [[nodiscard]] Side side(std::size_t bearing) const {
@@ -101,11 +100,12 @@ class Arrangement {
   }
   /// Axial force on each side as mounted, F_0 [N].
   [[nodiscard]] double preload() const { return preload_; }
-  /// δ_f0 or δ_r0 [m].
+  /// Axial compression of a set as mounted, δ_f0 or δ_r0 [m]; 0 for the rear of a tandem.
   [[nodiscard]] double displacement(Side side) const {
     return side == Side::front ? front_displacement_ : rear_displacement_;
   }
-  /// Seat of the rear set: `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)).
+  /// Support of the rear set, as the relation `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r
+  /// - δ_r0)).
   ///
   /// Without a share m of the other mounting, (softness, hardness) is (c [m/N], 1) for a rigid
   /// mounting and (1, k [N/m]) for a spring. With m = ArrangementDesign::other_mounting > 0, the
@@ -114,9 +114,9 @@ class Arrangement {
   ///   (1 - m) (c K_r, K_r) + m (1, 0)     for an entered rigid mounting
   ///   (1 - m) (1, k) + m (c K_r, K_r)     for an entered spring
   ///
-  /// K_r is the stiffness of the rear set as mounted. The rear set and its seat in series then have
-  /// the stiffness (1 - m) K_r for a rigid mounting with c = 0, and m K_r for a spring with k = 0.
-  /// The preload varies in proportion to this stiffness, so the variation is linear in m.
+  /// K_r is the stiffness of the rear set as mounted. The rear set and its seat, in series, then
+  /// have the stiffness (1 - m) K_r for a rigid mounting with c = 0, and m K_r for a spring with
+  /// k = 0. Changes of the rear force are therefore linear in m.
   struct Seat {
     double softness, hardness;
   };
@@ -129,31 +129,33 @@ class Arrangement {
   double preload_ = 0.0, front_displacement_ = 0.0, rear_displacement_ = 0.0;
 };
 
-/// External axial loads at which one side of the mounted arrangement loses its load at standstill
-/// [N].
-/// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
+/// External axial loads, positive towards the tool, at which one side of the mounted arrangement
+/// becomes unloaded at standstill [N].
+/// Source: geometry of the mounted state; the force law F ~ δ^1.5 gives a lift-off load of 2.83
+///         times the preload for a pair [SNFA, p. 33].
 struct LiftOff {
-  double front = unset;  ///< the front set loses its load; positive towards the tool
-  /// the rear set loses its load. The value is NaN without a rear set (tandem), if a spring of
-  /// constant force keeps the set loaded, or if a smaller load already dents the contacts of the
-  /// front set.
+  double front = unset;  ///< load at which the front set becomes unloaded
+  /// Load at which the rear set becomes unloaded. The value is NaN without a rear set (tandem), if
+  /// a spring of constant force keeps the set loaded, or if this load exceeds static_limit_pressure
+  /// in the front set.
   double rear = unset;
 };
 
 [[nodiscard]] LiftOff lift_off(const Arrangement& arrangement);
 
 /// Axial force of one bearing at standstill when the inner ring is displaced by `displacement` from
-/// the no-load position [N]. The ball acts as two springs in series.
+/// the no-load position [N].
 [[nodiscard]] double axial_force_at_rest(const Bearing& bearing, double displacement);
 
-/// Displacement under an axial force >= 0 [m]; the inverse of axial_force_at_rest().
+/// Axial displacement of the inner ring at standstill under an axial force >= 0 [m]; the inverse of
+/// axial_force_at_rest().
 [[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
 
 /// Preload gap of bearings whose faces are ground so that they are flush under the force of a
 /// preload class. The gap is the sum of the displacements of one front bearing and one rear
-/// bearing, each under the force printed for a pair. Sets of universally matched bearings have a
-/// higher preload than the pair: 1.35 times for two bearings against one, 2 times for two against
-/// two [SNFA, p. 31].
+/// bearing, each under the preload force printed for a pair. Sets of universally matched bearings
+/// have a higher preload than the pair: 1.35 times for two bearings against one, and 2 times for
+/// two against two [SNFA, p. 31].
 [[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
                                             const Bearing& rear, double rear_force);
 

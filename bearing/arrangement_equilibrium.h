@@ -11,7 +11,7 @@ namespace raceway::bearing {
 
 /// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
-  double axial = 0.0;   ///< additional displacement of the inner ring into the bearing
+  double axial = 0.0;   ///< axial shift of the inner groove that compresses the bearing
   double radial = 0.0;  ///< radial growth of the inner groove minus growth of the outer groove
   /// Growth of the distance from the inner groove centre to the ball centre, without load.
   double inner_length = 0.0;
@@ -23,9 +23,9 @@ struct RingShift {
 /// Operating condition of an arrangement.
 struct ArrangementCondition {
   double speed = 0.0;          ///< [rad/s], >= 0
-  double external_load = 0.0;  ///< axial, on the shaft, positive towards the tool [N]
+  double external_load = 0.0;  ///< axial load on the shaft, positive towards the tool [N]
   double elongation = 0.0;     ///< e: growth of shaft minus growth of housing, between the sets [m]
-  /// One shift for each bearing, front set first. Empty: no shift.
+  /// One shift for each bearing, front set first. An empty list means no shift.
   std::vector<RingShift> shifts = {};
   [[nodiscard]] bool operator==(const ArrangementCondition&) const = default;
 };
@@ -33,34 +33,35 @@ struct ArrangementCondition {
 /// Temperatures of an arrangement [K].
 struct SetTemperatures {
   double inner_ring = unset, outer_ring = unset;
-  double balls = unset;  ///< unset: the mean of both rings
+  double balls = unset;  ///< if unset, the mean of both ring temperatures
   double shaft = unset, housing = unset;
 };
 
-/// Free thermal expansion of rings and balls from the mounting temperature T0,
+/// Groove shifts by free thermal expansion of rings and balls from the mounting temperature T0:
 ///
 ///   radial  λ_r ((T_i - T0) R_i - (T_o - T0) R_o),  R the radii of the groove centres' circles
 ///   lengths λ_r (T - T0) f D - λ_b (T_b - T0) D/2
 ///   axial   λ_r ((T_i + T_o)/2 - T0) B D sin α0
 ///
 /// A uniform temperature therefore only scales a bearing of one material.
-/// Source: derived. Ignores fits and the stiffness of shaft and housing.
+/// Source: derived. The formulas ignore interference fits and the stiffness of shaft and housing.
 [[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
                                       double mounting_temperature);
 
 /// Adds thermal expansion to a condition: the shifts of all bearings, and the elongation e = L (λ_s
-/// (T_s - T0) - λ_h (T_h - T0)) between the sets. Throws std::invalid_argument for a temperature
-/// outside 50 to 800 K, and if any temperature except `balls` is missing.
+/// (T_s - T0) - λ_h (T_h - T0)) between the sets. L is the distance between the sets, and T0 is the
+/// mounting temperature. Throws std::invalid_argument for a temperature outside 50 to 800 K, and if
+/// any temperature except `balls` is missing.
 void add_expansion(const Arrangement& arrangement, const SetTemperatures& temperatures,
                    ArrangementCondition& condition);
 
-/// One bearing in equilibrium within its set. All its balls are equal.
+/// One bearing in equilibrium within its set. All balls of the bearing carry equal loads.
 struct BearingInSet {
-  double axial_load = unset;              ///< F_i, its share of the load [N], >= 0
-  double displacement = unset;            ///< δ_i, compression, with offset and shift [m]
-  double axial_stiffness = unset;         ///< [N/m]
-  BallEquilibrium ball;                   ///< ball at azimuth 0
-  std::optional<GivenRotation> rotation;  ///< rotation of the balls, if the caller gave it
+  double axial_load = unset;       ///< F_i, axial load of this bearing [N], >= 0
+  double displacement = unset;     ///< δ_i, axial compression, including offset and shift [m]
+  double axial_stiffness = unset;  ///< tangent stiffness of this bearing [N/m]
+  BallEquilibrium ball;            ///< equilibrium of the ball at azimuth 0
+  std::optional<GivenRotation> rotation;              ///< given rotation; empty under race control
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest Hertz pressures [Pa]
   /// Minimum axial load, see minimum_load() [N].
   double minimum_load = unset;
@@ -69,58 +70,59 @@ struct BearingInSet {
   [[nodiscard]] bool below_minimum() const { return axial_load < minimum_load; }
 };
 
-/// Shaft position at equilibrium of the sets. Only `report` is set unless the solve converged.
+/// Shaft position at equilibrium of the sets. If the solve did not converge, only `report` is set.
 struct ArrangementEquilibrium {
-  double position = unset;  ///< x, from the mounted state, positive towards the tool [m]
-  double front_force = unset, rear_force = unset;  ///< axial forces, summed over each side [N]
-  double rear_displacement = unset;                ///< δ_r [m]
-  double axial_stiffness = unset;  ///< external load per displacement of the shaft [N/m]
+  double position = unset;  ///< shaft position x, zero as mounted, positive towards the tool [m]
+  /// Axial forces, summed over each side [N]. In tandem, `rear_force` is the spring force.
+  double front_force = unset, rear_force = unset;
+  double rear_displacement = unset;  ///< δ_r, axial compression of the rear set [m]
+  double axial_stiffness = unset;    ///< tangent stiffness of the shaft under external load [N/m]
   std::vector<BearingInSet> bearings;
   SolveReport report;
 
-  /// Bearing i in the form that the friction laws need: all balls, and displacement and stiffness
-  /// in x only (the other stiffness components are NaN).
+  /// Returns bearing i with all balls, for the friction laws. Displacement and stiffness are known
+  /// only along x: the other displacements are 0, and the other stiffness components are NaN.
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
-  /// Given ball rotations of each bearing, for `EquilibriumOptions::rotations`; empty under race
-  /// control.
+  /// Returns the given ball rotation of each bearing, for EquilibriumOptions::rotations; empty
+  /// under race control.
   [[nodiscard]] std::vector<GivenRotation> rotations() const;
 };
 
-/// Returns the options for bearing i of an arrangement.
+/// Returns the options for bearing i alone, with only the rotation of bearing i.
 [[nodiscard]] EquilibriumOptions options_of_bearing(const EquilibriumOptions& options,
                                                     std::size_t i);
 
-/// Minimum axial load for rolling without skidding [N]. At this load the radial force of the inner
-/// contacts equals the centrifugal forces at the nominal contact angle:
+/// Minimum axial load for rolling without skidding [N]. At this load, the radial component of each
+/// inner contact load equals the centrifugal force F_c, at the nominal contact angle:
 ///
 ///   F_min = Z F_c tan α0
 ///
 /// Source:   derived. GMN's minimum spring preload at the speed limit is 0.9 to 1.3 times this load
-///           for the S series, and 0.5 to 0.8 times for series with smaller balls (tests).
+///           for the S series, and 0.5 to 0.8 times for series with smaller balls (tested).
 [[nodiscard]] double minimum_load(const Bearing& bearing, double centrifugal_force);
 
 /// Finds the shaft position at equilibrium of front set, rear set and external load.
 ///
-/// Newton-Raphson method. The unknowns are the position of the shaft, the position of the rear set,
-/// and two coordinates of one ball of every bearing (thrust loads all balls equally). The balls are
-/// eliminated (Schur complement), and all derivatives are analytic. If the start from standstill or
-/// from the neighbour fails, the solver increases the squared speed, the loads and the shifts in
-/// steps (continuation). The status `no_equilibrium` means that the search found no equilibrium;
-/// the status does not prove that none exists. A free shaft, with both sets unloaded, is
-/// `singular`.
+/// The unknowns of the Newton-Raphson method are the position of the shaft, the position of the
+/// rear set, and two coordinates of one ball of every bearing (thrust loads all balls equally). All
+/// derivatives are analytic. If the start from standstill or from the neighbour fails, the solver
+/// increases the squared speed, the loads and the shifts in steps (continuation). The status
+/// `no_equilibrium` does not prove that no equilibrium exists. If both sets are unloaded, the shaft
+/// is free, and the status is `singular`.
 ///
-/// A bearing without inner contacts carries no load, which is a valid state.
-/// Domain:   speed >= 0; a state with a set in tension is not an equilibrium.
-/// Accuracy: the imbalance of forces is at most `options.tolerance` times the largest force. Tilt
-///           is locked at zero. The physics is the same as in solve_bearing_equilibrium().
+/// A bearing without inner contacts carries no load; this is a valid equilibrium.
+/// Domain:   speed >= 0. A state in which a bearing is in tension is not an equilibrium.
+/// Accuracy: the imbalance of forces is at most `options.tolerance` times the largest force. The
+///           tilt of the inner rings is locked at zero. The physics is the same as in
+///           solve_bearing_equilibrium().
 /// Throws std::invalid_argument for a condition that is not finite, or if the number of shifts or
 /// rotations differs from the number of bearings.
 [[nodiscard]] ArrangementEquilibrium solve_arrangement(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);
 
-/// Solves many conditions. Each solve starts from the solution of the previous condition. Throws
-/// std::invalid_argument if the sizes differ.
+/// Solves many conditions. Each solve starts from the last converged solution. Throws
+/// std::invalid_argument for an invalid condition, and if the sizes of the arrays differ.
 void solve_arrangement(const Arrangement& arrangement,
                        std::span<const ArrangementCondition> conditions,
                        std::span<ArrangementEquilibrium> results,

@@ -39,7 +39,7 @@ struct BallConstants : BallConstantsOf<double> {
 /// Source of a ball's rotation: race control, or values given by the caller.
 enum class Rotation { outer_control, inner_control, given };
 
-/// C = m d_m ω²/2 [N].
+/// Centrifugal force of a ball that orbits at the shaft speed ω, C = m d_m ω²/2 [N].
 [[nodiscard]] double full_centrifugal(const Bearing& bearing, double speed);
 [[nodiscard]] BallConstants ball_constants(const Bearing& bearing, double speed,
                                            RaceControl race_control, bool gyroscopic_moment);
@@ -73,11 +73,10 @@ struct BallForcesOf {
 ///
 /// Under inner control the friction is equal at both races (λi = λo = 1), Ti = To = 0.2 C m (1 - m)
 /// sin αi. (M_g uses ω_R and β of kinematics.h. The product ω_R sin β is a rational function of
-/// sines and cosines.)
-/// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18), taken together, have the wrong sign. A
-/// ball without inner contact (δi <= 0) is under outer control and exerts no force on the inner
-/// ring. Race control `inner` is discontinuous there, so some loads have no equilibrium. For a
-/// given rotation, m, Ti and To follow from GivenRotation.
+/// sines and cosines.) Sign: M_g > 0 lowers αo. Equations (14) and (18) of [CaseStudy], taken
+/// together, have the wrong sign. A ball without inner contact (δi <= 0) is under outer control and
+/// exerts no force on the inner ring. Under inner control the forces jump when the contact is lost,
+/// so some loads have no equilibrium. For a given rotation, m, Ti and To follow from GivenRotation.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -92,9 +91,9 @@ struct BallBalanceOf : BallForcesOf<T> {
 using BallBalance = BallBalanceOf<double>;
 
 /// Contact of a ball with the inner race. With `automatic`, the ball touches the race if δi > 0.
-/// `kept` and `lost` fix the state of the contact while a solver searches. A `kept` contact may
-/// pull: Q = K δ |δ|^0.5, smooth through zero. A solution with `kept` contacts is valid only if
-/// none of them pulls.
+/// `kept` and `lost` fix the state of the contact while a solver searches. A `kept` contact may be
+/// in tension: Q = K δ |δ|^0.5, smooth through zero. A solution is valid only if no `kept` contact
+/// is in tension.
 enum class InnerContact : signed char { automatic, kept, lost };
 
 /// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
@@ -196,8 +195,8 @@ struct FrictionGain {
   return {r.inner_friction * slope, r.outer_friction * slope};
 }
 
-/// Results of the rotation law of a ball. Under inner control, a ball without inner contact is
-/// under outer control.
+/// Results of the rotation law of a ball. Even with inner control, a ball without inner contact
+/// follows the law of outer control.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,
@@ -363,14 +362,14 @@ template <Rotation rotation, typename T>
                                                                    moment_arm_ratio, contact);
 }
 
-/// A ball at rest. Its two contacts are springs in series on the line between the groove centres,
-/// (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3), so the ball position is not an unknown.
+/// Ball at rest. The two contacts of the ball are springs in series on the line between the groove
+/// centres, (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3), so the ball position is not an unknown.
 template <typename T>
 struct StaticBallOf {
   PlaneOf<T> ball_centre;  ///< X [m]
   PlaneOf<T> force;        ///< f [N]
   T f_a[4];                ///< df/dA, row-major [N/m]
-  T load;                  ///< Q [N], the same at both contacts
+  T load;                  ///< Q [N], equal at both contacts
 };
 using StaticBall = StaticBallOf<double>;
 

@@ -17,8 +17,8 @@ struct BallReport {
   T centrifugal_force, gyroscopic_moment;
 };
 
-/// Returns the report of a ball in equilibrium with centre X and inner groove centre A. At rest, X
-/// is not used.
+/// Returns the report of a ball in equilibrium with inner groove centre `a` and ball centre `x`. At
+/// rest, `x` is not used.
 template <bool at_rest, typename T>
 [[nodiscard, gnu::always_inline]] inline BallReport<T> ball_report(const BallForcesOf<T>& f,
                                                                    const PlaneOf<T>& a,

@@ -13,14 +13,14 @@ namespace raceway::bearing {
 /// Symmetry of the balls under a load. The symmetry determines the ring coordinates that the solver
 /// needs.
 enum class Symmetry {
-  thrust,  ///< all balls are equal; unknowns: one ball, x
+  thrust,  ///< all balls carry equal loads; unknowns: one ball and x of the ring
   mirror,  ///< load in the x-y plane, ball k equals ball Z - k; unknowns: half of the balls, x, y
-           ///< (and θz)
-  none     ///< unknowns: all balls, x, y, z (and θy, θz)
+           ///< (and θz if the tilt is free)
+  none     ///< unknowns: all balls, x, y, z (and θy, θz if the tilt is free)
 };
 
-/// Number of distinct balls of a bearing with `count` balls. The distinct balls are the first balls
-/// of the circle.
+/// Number of balls whose loads can differ under this symmetry, of `count` balls. These distinct
+/// balls are the first balls of the circle.
 [[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }
@@ -33,7 +33,7 @@ enum class Symmetry {
   return k == 0 || 2 * k == count ? 1.0 : 2.0;
 }
 
-/// ψ of ball k from +y towards +z [rad].
+/// Azimuth ψ of ball k, from +y towards +z [rad].
 [[nodiscard]] constexpr double azimuth_of_ball(int k, int count) { return 2.0 * pi * k / count; }
 
 /// One ball in equilibrium.
@@ -41,16 +41,16 @@ struct BallEquilibrium {
   double azimuth = unset;              ///< ψ from +y towards +z [rad]
   double inner_contact_angle = unset;  ///< αi [rad]; NaN without contact at the inner race
   double outer_contact_angle = unset;  ///< αo [rad]; NaN if the ball is loose (only at rest)
-  double inner_load = unset;           ///< Qi [N]
-  double outer_load = unset;           ///< Qo [N]
-  double inner_friction = unset;       ///< Ti that balances the gyroscopic moment [N]
-  double outer_friction = unset;       ///< To [N]
+  double inner_load = unset;           ///< Qi, load at the inner race [N]
+  double outer_load = unset;           ///< Qo, load at the outer race [N]
+  double inner_friction = unset;       ///< Ti, friction force at the inner race [N]
+  double outer_friction = unset;       ///< To, friction force at the outer race [N]
   double centrifugal_force = unset;    ///< Fc [N]
-  double gyroscopic_moment = unset;    ///< M_g [N m]
+  double gyroscopic_moment = unset;    ///< M_g, balanced by Ti and To [N m]
 };
 
 /// All balls of a bearing in equilibrium, ball k at azimuth 2 π k/Z. Balls that are equal by
-/// symmetry are stored once: `distinct()` and `weight()` are enough for a sum over all balls.
+/// symmetry are stored once. For a sum over all balls, use `distinct()` and `weight()`.
 class Balls {
  public:
   Balls() = default;
@@ -83,7 +83,7 @@ class Balls {
     return (*this)[k];
   }
 
-  /// First ball of each group of equivalent balls, by azimuth.
+  /// First ball of each group of equivalent balls, in the order of azimuth.
   [[nodiscard]] std::span<const BallEquilibrium> distinct() const { return distinct_; }
   /// Number of balls that distinct ball i represents [1].
   [[nodiscard]] double weight(std::size_t i) const {

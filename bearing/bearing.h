@@ -8,8 +8,8 @@
 
 namespace raceway::bearing {
 
-/// Bearing ready for the solvers: valid geometry, materials and derived constants. Immutable.
-/// Construction costs two elliptic integrals, so reuse the object for many operating points.
+/// Immutable ball bearing for the solvers: checked geometry, materials and derived constants. The
+/// constructor computes two Hertz contacts, so reuse the object for many operating points.
 class Bearing {
  public:
   /// Throws std::invalid_argument as validated(geometry) and validate(material) do.

@@ -22,21 +22,21 @@ enum class Tilt { locked, free };
 struct EquilibriumOptions {
   RaceControl race_control = RaceControl::outer;
   Tilt tilt = Tilt::locked;
-  bool gyroscopic_moment = true;  ///< false omits M_g, for comparison
-  double tolerance = 1e-11;       ///< limit of the scaled residual [1]
-  int max_iterations = 2000;      ///< limit of Newton steps, over all stages
+  bool gyroscopic_moment = true;  ///< false omits the moment M_g of the balls, for comparison
+  double tolerance = 1e-11;       ///< largest accepted imbalance, relative to the load [1]
+  int max_iterations = 2000;      ///< limit of the Newton steps, summed over all search stages
   /// Rotations of the balls, used instead of race control: one for each ball by azimuth, or one for
   /// all balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one
-  /// rotation for each bearing. Ignored at rest. The span must outlive the solve.
+  /// rotation for each bearing. At rest the rotations are ignored. The array must exist until the
+  /// solve ends.
   std::span<const GivenRotation> rotations = {};
 };
 
-/// Displacement of the inner ring in equilibrium with a load, and the results. Only `report` is set
-/// unless the solve converged.
+/// Equilibrium of the inner ring under a load. If the solve did not converge, only `report` is set.
 struct BearingEquilibrium {
-  /// x, y, z [m], θ_y, θ_z [rad] of the inner ring at the plane of its groove centres, measured
-  /// from the no-load position at standstill, where the balls just touch at the nominal contact
-  /// angle (deep groove, α0 = 0: from the centred position).
+  /// Displacement x, y, z [m], θ_y, θ_z [rad] of the inner ring at the plane of its groove centres,
+  /// measured from the no-load position at standstill, where the balls just touch at the nominal
+  /// contact angle (deep groove, α0 = 0: from the centred position).
   Vector5 displacement = Vector5::Constant(unset);
   Balls balls;
   /// Given rotation of each ball in balls.distinct(); empty under race control.
@@ -50,33 +50,33 @@ struct BearingEquilibrium {
   /// Number of balls without inner contact load [1].
   [[nodiscard]] int lost_balls() const;
   /// Returns the speeds of ball k: from its given rotation, or by race control if no rotation is
-  /// given. A ball without inner contact is under outer control.
+  /// given. A ball without inner contact is treated as under outer control.
   [[nodiscard]] BallSpeeds speeds(std::size_t k, const Bearing& bearing, double speed,
                                   RaceControl race_control) const;
 };
 
 /// Finds the displacement of the inner ring at which the balls carry the applied load.
 ///
-/// Newton-Raphson method for ring and balls together. The two unknowns of each ball are eliminated
-/// (Schur complement), and all derivatives are analytic. For symmetric loads, the solver uses one
-/// ball (thrust) or half of the balls (load in the x-y plane). If a cold start fails, the solver
+/// The Newton-Raphson method solves for ring and balls together. The two unknowns of each ball are
+/// eliminated, and all derivatives are analytic. For symmetric loads, the solver uses one ball
+/// (thrust) or half of the balls (load in the x-y plane). If a direct start fails, the solver
 /// follows the solution from pure thrust to the full load, and from standstill to the full speed.
-/// Under inner control, the solver searches for the balls that have lost contact with the inner
-/// race; equilibrium_search.h describes the coverage. The status is `no_equilibrium` if no method
-/// finds a solution, or if no load presses the rings together.
+/// Under inner control, the solver also searches for the balls that have lost contact with the
+/// inner race. equilibrium_search.h gives the share of missed equilibria. The status is
+/// `no_equilibrium` if no method finds a solution, or if no load presses the rings together.
 ///
-/// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
+/// Domain:   speed >= 0. An angular-contact bearing carries axial load only in +x.
 /// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice the
-///           residual is near the rounding error. Physical assumptions: rigid rings, quasi-static
-///           motion, race control as chosen. The cage, the film and the truncation of the contact
-///           ellipse at the edge of the groove are ignored.
-/// Throws std::invalid_argument for an operating point that is not finite.
+///           residual is near the rounding error. The model assumes rigid rings, quasi-static
+///           motion and the chosen race control. The model ignores the cage, the film and the
+///           truncation of the contact ellipse at the edge of the groove.
+/// Throws std::invalid_argument for an operating point outside the range of validate().
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options = {});
 
-/// Solves from the solution of a neighbouring point, for sweeps. If this fails, the solver makes a
-/// cold start.
+/// Finds the equilibrium from the solution of a neighbouring point, for sweeps. If this start
+/// fails, the solver starts without the neighbour.
 [[nodiscard]] BearingEquilibrium solve_bearing_equilibrium(const Bearing& bearing,
                                                            const OperatingPoint& point,
                                                            const EquilibriumOptions& options,

@@ -4,8 +4,8 @@
 
 namespace raceway::bearing {
 
-/// Largest Hertz pressures over the balls of a bearing [Pa]; 0 if no ball touches that race, NaN
-/// without equilibrium.
+/// Largest Hertz pressures over the balls of a bearing [Pa]; 0 for a race that no ball touches, and
+/// NaN if the equilibrium did not converge.
 struct ContactPressure {
   double inner = unset, outer = unset;
 };

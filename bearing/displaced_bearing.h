@@ -8,31 +8,31 @@
 
 namespace raceway::bearing {
 
-/// Bearing with a given displacement of the inner ring: finds the equilibrium of the balls and
-/// their forces on the ring. This class is the inverse of solve_bearing_equilibrium(). Use this
+/// Finds the equilibrium of the balls, and the ball forces on the inner ring, for a given
+/// displacement of this ring. This class is the inverse of solve_bearing_equilibrium(). Use this
 /// class for one speed with many displacements and groove shifts. Each solve starts from the
-/// previous solution. The object keeps a reference to the bearing.
+/// previous solution. The bearing must exist as long as the object.
 ///
-/// Domain:   speed >= 0. The grooves may be shifted, see RingShift.
+/// Domain:   speed >= 0. The grooves may be shifted (RingShift).
 /// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the
-///           ball. The physics is the same as in solve_bearing_equilibrium(). An angular-contact
-///           bearing with separated rings has no contacts, as in solve_arrangement().
+///           ball. The physics is the same as in solve_bearing_equilibrium(). No ball is loaded if
+///           the rings of an angular-contact bearing are separated, as in solve_arrangement().
 class DisplacedBearing {
  public:
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},
                    const EquilibriumOptions& options = {});
 
-  /// Sets another shift of the grooves of this bearing.
+  /// Replaces the shift of the grooves.
   void set_shift(const RingShift& shift);
   /// Finds the equilibrium of the balls at this displacement of the inner ring, defined as in
   /// BearingEquilibrium. The shift of the grooves is added to this displacement. Returns false if a
   /// ball has no equilibrium; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
-  /// Forces applied to the ring, in equilibrium with its balls: F_x, F_y, F_z [N], M_y, M_z [N m].
+  /// External forces on the ring that balance the ball forces: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
-  /// ∂force/∂displacement with the balls in equilibrium.
+  /// Tangent stiffness ∂force/∂displacement with the balls in equilibrium [SI].
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
-  /// All results at the last displacement. The axial displacement includes the shift, as in
+  /// Returns all results at the last displacement. The axial displacement includes the shift, as in
   /// BearingInSet.
   [[nodiscard]] BearingEquilibrium equilibrium() const;
 
@@ -63,9 +63,9 @@ class DisplacedBearing {
   Matrix5 stiffness_ = Matrix5::Constant(unset);
 };
 
-/// Bearings of an arrangement in equilibrium with their full tangent stiffness, in the frame of
-/// each bearing: +x in the direction of its load. Front set first. `condition` must be the
-/// condition of this equilibrium.
+/// Returns the equilibrium of each bearing of an arrangement with the full tangent stiffness, front
+/// set first. In the frame of a bearing, +x is the direction of its axial load. `equilibrium` must
+/// be the solution for `condition`.
 [[nodiscard]] std::vector<BearingEquilibrium> bearings_in_set(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const ArrangementEquilibrium& equilibrium, const EquilibriumOptions& options = {});

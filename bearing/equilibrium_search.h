@@ -22,10 +22,10 @@ namespace raceway::bearing {
 ///      (contact_scan.h).
 ///
 /// Under outer control the forces are continuous in the displacement, and these steps find every
-/// state known to exist. Under inner control the gyroscopic couple vanishes with the contact, so a
-/// state can depend on a combination of lost balls. Steps 2 and 6 try the likely combinations. Step
-/// 7 tries the combinations that occur on the grid. The search misses 0.01 % of the existing states
-/// (docs/solver.md).
+/// equilibrium that is known to exist. Under inner control the gyroscopic couple vanishes with the
+/// contact, so an equilibrium may exist only for one combination of lost contacts. Steps 2 and 6
+/// try the likely combinations. Step 7 tries the combinations that occur on the grid. The search
+/// misses 0.01 % of the existing equilibria (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

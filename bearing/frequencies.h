@@ -12,19 +12,19 @@ namespace raceway::bearing {
 /// per second for Hz.
 struct BearingFrequencies {
   double cage = unset;        ///< FTF, fundamental train frequency with a fixed outer ring: ω_m/ω
-  double outer_race = unset;  ///< BPFO, balls that pass a point of the outer race: Z m
-  double inner_race = unset;  ///< BPFI, balls that pass a point of the inner race: Z (1 - m)
-  double ball_spin = unset;   ///< BSF, revolutions of a ball about its axis, in the cage: ω_R/ω;
-                              ///< a defect of the ball strikes at twice this frequency
+  double outer_race = unset;  ///< BPFO, balls that pass a point of the outer race: Z ω_m/ω
+  double inner_race = unset;  ///< BPFI, balls that pass a point of the inner race: Z (1 - ω_m/ω)
+  double ball_spin = unset;   ///< BSF, revolutions of a ball about its axis, seen from the cage:
+                              ///< ω_R/ω; a defect of the ball strikes at twice this frequency
   [[nodiscard]] bool operator==(const BearingFrequencies&) const = default;
 };
 
-/// Frequencies from one contact angle at both races, as printed in catalogues.
+/// Damage frequencies for one contact angle at both races, as printed in catalogues.
 ///
 ///   FTF = (1 - g cos α)/2,   BSF = (1 - g² cos² α)/(2 g),   g = D/d_m
 ///
-/// Source: rolling without slip; the limit of ball_speeds() at αi = αo. BSF is the rolling part of
-///         ω_R, ω_R cos(α - β) (tested). Domain: g cos α < 1.
+/// Source: rolling without slip; the limit of ball_speeds() at αi = αo. BSF is the rolling
+///         component of ω_R: ω_R cos(α - β) (tested). Domain: g cos α < 1.
 [[nodiscard]] inline BearingFrequencies nominal_frequencies(int count, double diameter_ratio,
                                                             double contact_angle) {
   const double ratio = diameter_ratio, x = ratio * std::cos(contact_angle);
@@ -39,16 +39,18 @@ struct BearingFrequencies {
   return nominal_frequencies(g.ball_count, g.diameter_ratio(), contact_angle);
 }
 
-/// Frequencies of cylindrical rollers that roll without slip: the formulas above at α = 0.
+/// Damage frequencies of cylindrical rollers that roll without slip: nominal_frequencies() at
+/// α = 0.
 [[nodiscard]] inline BearingFrequencies rolling_frequencies(const RollerGeometry& g) {
   return nominal_frequencies(g.roller_count, g.diameter_ratio(), 0.0);
 }
 
-/// Frequencies from the running contact angles of the balls. The results are means over all balls,
-/// because the orbital speeds differ under radial load and the cage averages these speeds.
+/// Damage frequencies from the running contact angles of the balls. The results are means over the
+/// loaded balls, because the orbital speeds differ under radial load and the cage averages these
+/// speeds.
 ///
-/// Domain: converged equilibrium with a loaded ball, else NaN. At standstill, the result is the
-///         limit for slow rotation. Balls without contact are ignored.
+/// Domain: converged equilibrium with a loaded ball; otherwise the results are NaN. At standstill,
+///         the result is the limit for slow rotation.
 [[nodiscard]] inline BearingFrequencies running_frequencies(const Bearing& bearing,
                                                             const BearingEquilibrium& equilibrium,
                                                             RaceControl control) {

@@ -7,17 +7,17 @@ namespace raceway::bearing {
 
 enum class Race { inner, outer };
 
-/// Curvatures of a contact between ball and groove, from the four principal curvatures.
+/// Curvature sum and curvature difference of a contact between ball and groove.
 struct Curvature {
   double sum = unset;         ///< Σρ [1/m]
   double difference = unset;  ///< F(ρ) [1], in [0, 1)
 };
 
-/// Curvature of ball on groove at a contact angle [1/m, 1]:
+/// Returns the curvature of ball on groove at a contact angle [1/m, 1]:
 ///
 ///   Σρ D = 4 - 1/f ± 2γ/(1 ∓ γ),   F(ρ) Σρ D = 1/f ± 2γ/(1 ∓ γ),   γ = D cos α / d_m
 ///
-/// Upper signs apply to the inner race. Source: [Harris2006, vol. 1, eqs. 2.26-2.33].
+/// The upper signs apply to the inner race. Source: [Harris2006, vol. 1, eqs. 2.26-2.33].
 /// Domain: f > 0.5, γ < 1.
 [[nodiscard]] Curvature groove_curvature(const BearingGeometry& geometry, Race race,
                                          double contact_angle);
@@ -32,24 +32,25 @@ struct Curvature {
 /// argument of Boost's functions is k, not k²). Source: [Harris2006, vol. 1, eqs. 6.25-6.43].
 /// Domain:   0 <= F(ρ) < 1; F(ρ) = 0 is the circular contact.
 /// Accuracy: κ to 1e-14 relative. Physically, the theory assumes dry, frictionless, elastic half
-///           spaces: its approach for close-fitting grooves (f < 0.51) is in error by a few per
-///           cent.
+///           spaces. For close-fitting grooves (f < 0.51) the calculated approach δ is wrong by a
+///           few per cent.
 struct HertzContact {
   double curvature_sum = unset;      ///< Σρ [1/m]
   double ellipse_ratio = unset;      ///< κ = a/b [1]
   double first_integral = unset;     ///< F(k), complete elliptic integral of the first kind [1]
-  double second_integral = unset;    ///< E(k), of the second kind [1]
+  double second_integral = unset;    ///< E(k), complete elliptic integral of the second kind [1]
   double contact_modulus = unset;    ///< 1/η [Pa]
   double contact_stiffness = unset;  ///< K [N/m^1.5]
 
-  [[nodiscard]] double approach(double load) const;         ///< δ [m]
-  [[nodiscard]] double load(double approach) const;         ///< Q [N], 0 where approach <= 0
+  [[nodiscard]] double approach(double load) const;         ///< elastic approach δ [m]
+  [[nodiscard]] double load(double approach) const;         ///< load Q [N], 0 for approach <= 0
   [[nodiscard]] double semi_major_axis(double load) const;  ///< a, across the rolling direction [m]
   [[nodiscard]] double semi_minor_axis(double load) const;  ///< b, along the rolling direction [m]
   [[nodiscard]] double peak_pressure(double load) const;    ///< 3 Q / (2 π a b) [Pa]
 };
 
-/// Throws std::invalid_argument outside the domain.
+/// Returns the constants of a contact. Throws std::invalid_argument for an invalid material, and
+/// unless Σρ > 0 and 0 <= F(ρ) < 1.
 [[nodiscard]] HertzContact hertz_contact(const Curvature& curvature, const Material& first,
                                          const Material& second);
 

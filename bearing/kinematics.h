@@ -7,16 +7,17 @@ namespace raceway::bearing {
 /// Race that controls the ball: the ball rolls without spin at that race.
 enum class RaceControl { outer, inner };
 
-/// Speeds of a ball from its contact angles; the inner ring rotates at ω. The laws are rational
-/// functions of the sines and cosines of the contact angles. A solver that has these values as
-/// ratios of lengths needs no trigonometric function.
+/// Speeds of a ball from its contact angles. The inner ring rotates at ω. The formulas are rational
+/// functions of the sines and cosines of the contact angles, so solvers need no trigonometric
+/// functions.
 ///
 /// Orbital (cage) speed, ratio m = ω_m/ω [1]:
 ///
 ///   outer control   m = (1 - g cos αi) / (1 + cos(αi - αo))
 ///   inner control   m = (cos(αi - αo) - g cos αo) / (1 + cos(αi - αo)),        g = D/d_m
 ///
-/// Source: [Harris2006, vol. 2, ch. 5; Jones1960]. For αi = αo = α both give (1 - g cos α)/2.
+/// Source: [Harris2006, vol. 2, ch. 5; Jones1960]. For αi = αo = α, both formulas give (1 - g cos
+///         α)/2.
 template <typename T>
 T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
                    const T& cos_difference, const T& g) {
@@ -38,7 +39,7 @@ struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]
   double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To as in BallBalance [N]
-  /// Qi at which the friction forces are given [N], > 0.
+  /// Inner contact load Qi for which the friction forces are given [N], > 0.
   double inner_load = 1.0;
   [[nodiscard]] bool operator==(const GivenRotation&) const = default;
 };
@@ -50,10 +51,11 @@ struct BallSpeeds {
   double pitch_angle;       ///< β between the ball's axis and the bearing axis
   double inner_spin_speed;  ///< relative rotation about the normal of the inner contact; 0 under
                             ///< inner control
-  double outer_spin_speed;  ///< relative rotation at the outer contact; 0 under outer control
+  double outer_spin_speed;  ///< relative rotation about the normal of the outer contact; 0 under
+                            ///< outer control
 };
 
-/// Speeds of a ball:
+/// Speeds of a ball. Under race control:
 ///
 ///   tan β = sin αo/(cos αo + g) (outer),  sin αi/(cos αi - g) (inner)
 ///   ω_R from rolling without slip at both contacts, which reduces to
@@ -61,13 +63,13 @@ struct BallSpeeds {
 ///     inner   ω_R cos β = (ω - ω_m)(cos αi - g)/g,    ω_R sin β = (ω - ω_m) sin αi/g
 ///   ω_si = ω_R sin(αi - β) + (ω - ω_m) sin αi,   ω_so = -ω_R sin(αo - β) + ω_m sin αo (magnitudes)
 ///
-/// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow from inserting tan β. They agree
-///         with the general formula to rounding (tested).
+/// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow from inserting tan β. The reduced
+///         forms agree with the general formula to rounding (tested).
 ///
-/// BallRotation omits the attitude of the axis, because the attitude needs an arc tangent.
+/// BallRotation omits the pitch angle β, because β needs an arc tangent.
 struct BallRotation {
-  double cage_speed;                          ///< ω_m [rad/s]
-  double along, across;                       ///< ω_R along and across the bearing axis [rad/s]
+  double cage_speed;     ///< ω_m [rad/s]
+  double along, across;  ///< components of ω_R along and across the bearing axis [rad/s]
   double inner_spin_speed, outer_spin_speed;  ///< magnitudes [rad/s]
 
   [[nodiscard]] BallSpeeds speeds() const {

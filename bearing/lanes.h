@@ -5,11 +5,11 @@
 #include <cstring>
 #include <utility>
 
-/// Number types for code that computes one operating point or several in parallel: `double`, or
-/// SIMD batches with one point per lane. Batches define arithmetic, comparisons, sqrt and other
-/// functions (found by argument-dependent lookup). This header adds the missing functions for
-/// `double`, and further functions for both number types. Code that may differ between lanes
-/// selects by mask instead of branching.
+/// Number types for code that computes one operating point, or several operating points in
+/// parallel: `double`, or SIMD batches with one point per lane. Batches define arithmetic,
+/// comparisons, sqrt and other functions (found by argument-dependent lookup). This header adds the
+/// missing functions for `double`, and further functions for both number types. Code that may
+/// differ between lanes selects by mask instead of branching.
 namespace raceway::bearing {
 
 /// Result of a comparison of two T, and the number of points in a T.

@@ -19,22 +19,22 @@ namespace raceway::bearing {
 /// Lo and Li are the distances from the ball centre to the outer and the inner groove centre. Axial
 /// load and moment determine f. The radial displacement follows from the condition that Σ f_r c
 /// equals the radial load. The couple τ does not decrease with the load, so only a few balls carry
-/// a light load. The number of kept balls is the smallest number that keeps the ring away from all
-/// lost balls.
+/// a light load. The number of kept balls is the smallest number for which the ring touches none of
+/// the lost balls.
 class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);
 
   /// Chooses the kept balls. Returns false if statics cannot decide, for example for a load without
-  /// an axial part.
+  /// an axial component.
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
   /// Computes the positions of the ring and the balls for these contacts. The lost balls lie
-  /// against the outer race.
+  /// against the outer race. Returns false without a ring position.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
   /// Computes the positions like spread(). Returns the largest distance by which a ball violates
   /// the assumed state of its contact [m]; NaN if no ring position is found.
   [[nodiscard]] double violation(const std::vector<InnerContact>& contacts, RingState& state) const;
-  /// Balls in decreasing order of c.
+  /// Indices of the balls in decreasing order of c = cos(ψ - φ).
   [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
   [[nodiscard]] Plane thrown_ball() const { return thrown_; }
 

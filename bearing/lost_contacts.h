@@ -9,20 +9,21 @@ namespace raceway::bearing {
 
 /// Searches for an equilibrium under inner control with each inner contact fixed as kept or lost.
 /// When a ball loses the contact, its gyroscopic couple becomes zero and the ball moves further
-/// from the race. So both states are possible for a range of groove positions. The search therefore
-/// tries sets of kept balls. A solution is valid if no kept ball is in tension and no lost ball
-/// penetrates the race. A ball that violates this condition is on the wrong side.
+/// from the race. Over a range of groove positions, both `kept` and `lost` are therefore possible.
+/// The search tries sets of kept balls. A solution is valid if no kept ball is in tension and no
+/// lost ball penetrates the race.
 class ContactSearch {
  public:
   explicit ContactSearch(RingSystem& system) : system_(system) {}
 
-  /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the worst
-  /// ball on the wrong side changes sides, until no ball is on the wrong side. If a set recurs, the
-  /// search tries similar sets, beginning with the sets that fit statics best. The search then
-  /// starts from each set whose equilibrium has a ball on the wrong side, and tries sets that
-  /// differ from this set by one ball.
+  /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the kept
+  /// ball most in tension or the lost ball that penetrates the race most changes its contact, until
+  /// no such ball exists. If a set recurs, the search tries similar sets, beginning with the sets
+  /// that fit statics best. Then the search tries sets that differ by one ball from the sets that
+  /// were solved but not valid. Returns true if a valid equilibrium is found, with `state` as the
+  /// solution.
   [[nodiscard]] bool settle(RingState& state);
-  /// Tries the sets that differ by one ball again, with more Newton steps for each set.
+  /// Tries the sets of settle() that differ by one ball again, with more Newton steps for each set.
   [[nodiscard]] bool widen(RingState& state);
   /// Last resort: starts from the sets that a scan over ring positions finds (contact_scan.h), then
   /// from sets that differ from one of these sets by one ball.
@@ -31,7 +32,7 @@ class ContactSearch {
  private:
   using Contacts = std::vector<InnerContact>;
 
-  /// A set of contacts with an equilibrium, but with at least one ball on the wrong side.
+  /// A set of contacts that was solved, but is not valid for at least one ball.
   struct OpenSet {
     Contacts contacts;
     RingState state;

@@ -6,7 +6,7 @@
 
 namespace raceway::bearing {
 
-/// Elastic and inertial properties of a ball or of the rings.
+/// Elastic, inertial and thermal properties of the material of balls or rings.
 struct Material {
   std::string name;
   double elastic_modulus = unset;    ///< [Pa], > 0
@@ -15,12 +15,12 @@ struct Material {
   double thermal_expansion = unset;  ///< coefficient of linear expansion [1/K], >= 0
 };
 
-/// Bearing steel (100Cr6).
+/// Returns bearing steel (100Cr6).
 [[nodiscard]] Material steel();
-/// Silicon nitride Si3N4, hot pressed.
+/// Returns silicon nitride Si3N4, hot pressed.
 [[nodiscard]] Material silicon_nitride();
 
-/// Throws std::invalid_argument naming the first value that is missing or out of range.
+/// Throws std::invalid_argument with the name of the first value that is missing or out of range.
 void validate(const Material& material);
 
 }  // namespace raceway::bearing

@@ -13,12 +13,13 @@ struct OperatingPoint {
   double axial_load = 0.0;     ///< F_x [N]
   double radial_load = 0.0;    ///< F_y [N]
   double radial_load_z = 0.0;  ///< F_z [N]
-  double moment_y = 0.0;  ///< right-handed about y, at the plane of the inner groove centres [N m]
-  double moment_z = 0.0;  ///< right-handed about z [N m]
+  double moment_y = 0.0;  ///< M_y, right-handed, at the plane of the inner groove centres [N m]
+  double moment_z = 0.0;  ///< M_z, right-handed [N m]
   double temperature = celsius_zero + 40.0;  ///< lubricant temperature [K]
 };
 
-/// Throws std::invalid_argument for values that are not finite or a speed below zero.
+/// Throws std::invalid_argument for NaN, a speed outside 0 to 1e6 rpm, a load beyond ±1e8 N and a
+/// moment beyond ±1e8 N m.
 void validate(const OperatingPoint& point);
 
 }  // namespace raceway::bearing

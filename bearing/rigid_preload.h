@@ -4,8 +4,8 @@
 
 namespace raceway::bearing {
 
-/// Thrust on the relieved bearing of two equal bearings at a fixed distance [N]; 0 if the bearing
-/// has lost its load.
+/// Returns the thrust on the relieved bearing of two equal bearings with rigid preload [N]; 0 if
+/// the relieved bearing has lost its load.
 ///
 ///   δ(F2 + F_a, n) + δ(F2, n) = 2 δ(P, 0)
 ///
@@ -13,9 +13,9 @@ namespace raceway::bearing {
 /// load F_a moves both inner rings by the same distance. Centrifugal forces push the balls
 /// outwards, so the thrust is higher at speed than at standstill.
 ///
-/// preload > 0 and load >= 0 [N], speed in rad/s. All rings have the same temperature. The
-/// displacements come from thrust_start.h, so the error of the result is at most 1e-3 of the
-/// preload. The result is NaN if a bearing has no equilibrium.
+/// F2 is the result, P > 0 is `preload` and F_a >= 0 is `load` [N], and n is `speed` [rad/s]. All
+/// rings have the same temperature. The displacements come from thrust_start.h, so the error of the
+/// result is at most 1e-3 of the preload. The result is NaN if a bearing has no equilibrium.
 [[nodiscard]] double relieved_thrust(const Bearing& bearing, double preload, double load,
                                      double speed);
 

@@ -68,7 +68,8 @@ decltype(auto) with_model(BallModel model, F&& f) {
   return with_race_control(model, f);
 }
 
-/// Positions of the balls, and the number of balls that are unknowns: one, half of them, or all.
+/// Positions of the balls, and the number of balls that are unknowns: one, half of the balls, or
+/// all balls.
 struct BallCircle {
   const double* azimuth;  ///< [rad]
   const double* cosine;   ///< cosine of the azimuth
@@ -82,7 +83,7 @@ struct BallCircle {
   [[nodiscard, gnu::always_inline]] double weight(int k) const {
     return weight_of_ball(symmetry, count, k);
   }
-  /// Given rotation of ball k, or null.
+  /// Given rotation of ball k; null without a given rotation.
   [[nodiscard, gnu::always_inline]] const GivenRotation* rotation(int k) const {
     if (rotations.empty()) return nullptr;
     return &rotations[rotations.size() == 1 ? 0 : static_cast<std::size_t>(k)];
@@ -104,7 +105,7 @@ struct RingPoint {
   T rounding;               ///< largest residual from the rounding of lengths [1]
 };
 
-/// A bearing at rest without load.
+/// Returns the point of a bearing at rest without load.
 [[nodiscard]] RingPoint<double> unloaded_point(const Bearing& bearing,
                                                const EquilibriumOptions& options);
 /// Sets speed and load of a point of this bearing.

@@ -32,8 +32,8 @@ struct NewtonProgress {
 /// to six times while it raises the merit. The step of a single ball is shortened if it would lift
 /// this ball off the outer race. A full step may raise the merit by the factor NewtonLimits::rise,
 /// because a ball may gain or lose contact. When a lane converges, its trial state is one Newton
-/// step beyond the accepted state. Use the trial state as the result: its error is near the
-/// rounding error. The last step is not counted.
+/// step beyond the accepted state. Use the trial state as the result. The error of the trial state
+/// is near the rounding error. The last step is not counted.
 template <typename T>
 class RingNewton {
  public:
@@ -56,8 +56,8 @@ class RingNewton {
     for (auto* v : {&now_, &trial_}) v->resize(used);
   }
 
-  /// Evaluates the trial state of every lane, accepts it or halves the step, and prepares the next
-  /// one.
+  /// Evaluates the trial state of every lane. Accepts the trial state or halves the step, and
+  /// prepares the next trial state.
   template <BallModel model, class C>
   NewtonProgress<T> pass(const BallCircle& circle, const NewtonLimits& limits,
                          const InnerContact* contacts = nullptr);

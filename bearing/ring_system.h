@@ -16,16 +16,17 @@ struct RingState {
   std::vector<Plane> balls;
 };
 
-/// Memory of a solve. The memory is kept between solves, so that later solves need no new memory.
-/// Use one object for each thread.
+/// Working memory of a solve. Later solves use the same memory again. Use one object for each
+/// thread.
 struct RingWorkspace {
   RingNewton<double> newton;
   RingState state;
   std::vector<BallReport<double>> reports;
 };
 
-/// Equilibrium of one inner ring under one load, solved by Newton's method. Internal to the solver;
-/// equilibrium_search.h chooses the starting states. No memory is allocated after the first point.
+/// Equilibrium of one inner ring under one load, solved by Newton's method. This class is internal
+/// to the solver; equilibrium_search.h chooses the starting states. No memory is allocated after
+/// the first point.
 class RingSystem {
  public:
   RingSystem(const Bearing& bearing, const OperatingPoint& point, const EquilibriumOptions& options,
@@ -36,7 +37,7 @@ class RingSystem {
   /// Iterates from `state` to equilibrium within the tolerance. If the function returns false,
   /// `state` is undefined.
   [[nodiscard]] bool newton(RingState& state);
-  /// Sets all of `result` except status and iterations at equilibrium.
+  /// Writes the equilibrium of `state` to `result`, except status and iterations.
   void fill(const RingState& state, BearingEquilibrium& result) const;
 
   [[nodiscard]] const Bearing& bearing() const { return bearing_; }
@@ -58,7 +59,7 @@ class RingSystem {
   /// True if the allowed steps are used up; newton() then makes no step.
   [[nodiscard]] bool exhausted() const { return iterations_ >= end_; }
 
-  /// Number of balls that are unknowns: one, half of them, or all.
+  /// Number of balls that are unknowns: one, half of the balls, or all balls.
   [[nodiscard]] std::size_t balls_used() const { return static_cast<std::size_t>(circle_.used()); }
   /// Number of balls that ball k represents [1].
   [[nodiscard]] double weight(std::size_t k) const { return circle_.weight(static_cast<int>(k)); }
@@ -69,8 +70,8 @@ class RingSystem {
   [[nodiscard]] Plane thrown_ball() const;
 
   std::vector<InnerContact> contacts;  ///< fixed contacts; empty if the physical law decides
-  int newton_limit = 40;               ///< largest number of steps of one newton()
-  double newton_rise = 4.0;            ///< largest rise of the merit in a full step, as a factor
+  int newton_limit = 40;               ///< largest number of steps in one call of newton()
+  double newton_rise = 4.0;            ///< factor by which a full step may raise the merit [1]
 
  private:
   bool fail(SolveStatus why);

@@ -17,7 +17,7 @@ enum class RollerProfile {
   none  ///< straight cylinders
 };
 
-/// State of the bearing at which its radial clearance is given.
+/// Condition of the bearing for which the radial clearance is given.
 enum class ClearanceState {
   mounted,  ///< on its seats, cold and at standstill
   free      ///< before mounting
@@ -29,14 +29,14 @@ struct RollerGeometry {
   double roller_diameter = unset;  ///< D [m]
   double roller_length = unset;    ///< L, effective length without the chamfers [m]
   double pitch_diameter = unset;   ///< d_m [m]
-  double radial_clearance = 0.0;   ///< s, diametral; negative is a preload [m]
+  double radial_clearance = 0.0;   ///< s, diametral; a negative value is a preload [m]
   ClearanceState clearance_state = ClearanceState::mounted;
   double taper = 0.0;  ///< taper of the bore: 12 for 1:12; 0 for a cylindrical bore [1]
   RollerProfile profile = RollerProfile::iso;
   double bore = unset;                ///< d [m]; may be unknown
   double outer_diameter = unset;      ///< diameter of the outer ring [m]; may be unknown
-  double width = unset;               ///< B [m]; may be unknown
-  double static_load_rating = unset;  ///< C0 [N]; NaN: computed by life::static_load_rating()
+  double width = unset;               ///< width B [m]; may be unknown
+  double static_load_rating = unset;  ///< C0 [N]; NaN: life::static_load_rating() gives C0
 
   /// γ = D/d_m [1].
   [[nodiscard]] double diameter_ratio() const { return roller_diameter / pitch_diameter; }
@@ -46,8 +46,8 @@ struct RollerGeometry {
   }
 };
 
-/// Returns the geometry. Throws std::invalid_argument for the first missing or impossible value.
-/// The message gives its name, its value with unit, and the allowed range.
+/// Returns the geometry. Throws std::invalid_argument with name, value and allowed range for the
+/// first missing or impossible value.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
 /// Number of slices of a roller. The number is fixed, because the life depends on the number of
@@ -55,14 +55,15 @@ struct RollerGeometry {
 /// middle of the roller.
 inline constexpr std::size_t lamina_count = 41;
 
-/// Relief of a crowned roller at a distance from its middle [m].
+/// Profile relief of a roller at the distance x from its middle [m].
 ///
 ///   P = 0.00035 D ln(1/(1 - (2x/L)²))                          L <= 2.5 D
 ///   P = 0.0005 D ln(1/(1 - ((2|x| - L + 2.5 D)/(2.5 D))²))     L > 2.5 D, |x| > (L - 2.5 D)/2
 ///
-/// P is zero in the straight middle of a long roller.
-/// Source:   [ISO16281], not checked against the print. Two other programs have the first line.
-///           The brackets of the second line are from memory; one program has different brackets.
+/// P is zero in the straight middle of a long roller, and for RollerProfile::none.
+/// Source:   [ISO16281], not checked against the print. Two other programs use the first formula.
+///           The brackets of the second formula are from memory; one program has different
+///           brackets.
 /// Domain:   |x| < L/2.
 [[nodiscard]] double roller_relief(const RollerGeometry& geometry, double x);
 
@@ -70,37 +71,37 @@ inline constexpr std::size_t lamina_count = 41;
 ///
 ///   q = c1 δ^(10/9),   c1 = 2^(10/9) cs,   cs = 35948 L^(8/9)/ns   [N, mm]
 ///
-/// cs is the stiffness of both contacts of a roller in series, and c1 is the stiffness of a single
-/// contact. For materials other than steel both are multiplied by 2 k(steel)/(k(roller) + k(ring)),
-/// k = (1 - ν²)/E.
+/// ns is lamina_count. cs is the stiffness of both contacts of a roller in series, and c1 is the
+/// stiffness of a single contact. For materials other than steel both are multiplied by 2
+/// k(steel)/(k(roller) + k(ring)), k = (1 - ν²)/E.
 ///
-/// Source:   [ISO16281], as two other programs implement it; two equal contacts in series and the
-///           factor of the materials are derived (Lundberg's form is linear in k).
+/// Source:   [ISO16281], as two other programs implement it. The split into two equal contacts in
+///           series and the factor of the materials are derived (Lundberg's form is linear in k).
 /// Accuracy: within 2.5 % of a boundary element solution of strip and cylinder. Palmgren's 3.84e-5
 ///           Q^0.9/L^0.8 gives 3.4 % less approach.
-/// Trap:     the constant 35948 is for both contacts in series, the constant 3.84e-5 for one
+/// Trap:     the constant 35948 is for both contacts in series. The constant 3.84e-5 is for one
 ///           contact.
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
-  double compliance = unset;    ///< k1 + k2 [1/Pa]
+  double compliance = unset;    ///< k1 + k2 of roller and ring [1/Pa]
   double inner_radius = unset;  ///< R, equivalent radius at the inner raceway, D/2 (1 - D/d_m) [m]
   double outer_radius = unset;  ///< equivalent radius at the outer raceway, D/2 (1 + D/d_m) [m]
 
   [[nodiscard]] double radius(Race race) const {
     return race == Race::inner ? inner_radius : outer_radius;
   }
-  /// Half width b = sqrt(4 w R (k1 + k2)/π) under a load per length w [N/m] [m].
+  /// Half width b = sqrt(4 w R (k1 + k2)/π) [m] under a load per length w [N/m].
   [[nodiscard]] double half_width(Race race, double line_load) const {
     return std::sqrt(4.0 * line_load * radius(race) * compliance / pi);
   }
-  /// p = 2 w/(π b) [Pa]; 0 without load.
+  /// Largest Hertz pressure, p = 2 w/(π b) [Pa]; 0 without load.
   [[nodiscard]] double peak_pressure(Race race, double line_load) const {
     return std::sqrt(line_load / (pi * radius(race) * compliance));
   }
 };
 
-/// Cylindrical roller bearing ready for the solvers: valid geometry, materials and derived
-/// constants. Immutable.
+/// Immutable cylindrical roller bearing for the solvers: checked geometry, materials and derived
+/// constants.
 class RollerBearing {
  public:
   /// Throws std::invalid_argument as validated(geometry) and validate(material) do.
@@ -110,14 +111,14 @@ class RollerBearing {
   [[nodiscard]] const Material& rollers() const { return rollers_; }
   [[nodiscard]] const Material& rings() const { return rings_; }
   [[nodiscard]] const LineContact& contact() const { return contact_; }
-  /// m = ρ π/4 D² L [kg].
+  /// Mass of a roller, m = ρ π/4 D² L [kg].
   [[nodiscard]] double roller_mass() const { return roller_mass_; }
   /// Centrifugal force of a roller at a speed of the inner ring [N]:
   /// Fc = m d_m/2 ω_m²,   ω_m = ω (1 - D/d_m)/2.
   [[nodiscard]] double centrifugal_force(double speed) const;
   /// Positions of the slices' middles, measured from the middle of the roller along +x [m].
   [[nodiscard]] const std::array<double, lamina_count>& positions() const { return positions_; }
-  /// Relief of the slices [m].
+  /// Profile relief at the middle of each slice [m].
   [[nodiscard]] const std::array<double, lamina_count>& relief() const { return relief_; }
   /// Length of a slice [m].
   [[nodiscard]] double lamina_length() const {

@@ -31,8 +31,8 @@ struct RollerOptions {
 /// One roller in equilibrium.
 struct LoadedRoller {
   double azimuth = unset;     ///< ψ from +y towards +z [rad]
-  double inner_load = unset;  ///< Qi [N]
-  double outer_load = unset;  ///< Qo [N]
+  double inner_load = unset;  ///< Qi, load at the inner raceway [N]
+  double outer_load = unset;  ///< Qo, load at the outer raceway [N]
   double shift = unset;  ///< u, outward displacement of the roller's middle from the unloaded outer
                          ///< raceway [m]
   double tilt = unset;   ///< f, tilt of the roller's axis in its radial plane [rad]
@@ -40,25 +40,25 @@ struct LoadedRoller {
   std::array<double, lamina_count> inner_laminae{}, outer_laminae{};
 };
 
-/// Displacement of the inner ring under its load, with the rollers in equilibrium. Only `report` is
-/// set unless the solve converged.
+/// Displacement of the inner ring under its load, with the rollers in equilibrium. If the solve did
+/// not converge, only `report` is set.
 struct RollerEquilibrium {
-  /// y, z [m], θ_y, θ_z [rad] of the inner ring at the middle plane of the rollers, measured from
-  /// the centred position.
+  /// Displacement y, z [m], θ_y, θ_z [rad] of the inner ring at the middle plane of the rollers,
+  /// measured from the centred position.
   Vector4 displacement = Vector4::Constant(unset);
-  /// F_y, F_z [N], M_y, M_z [N m] that act on the inner ring. If the tilt is locked, the moments
-  /// are reactions.
+  /// Loads F_y, F_z [N], M_y, M_z [N m] that act on the inner ring. If the tilt is locked, the
+  /// moments are reactions.
   Vector4 load = Vector4::Constant(unset);
-  /// Tangent stiffness ∂load/∂displacement with the rollers in equilibrium. Symmetric.
+  /// Symmetric tangent stiffness ∂load/∂displacement with the rollers in equilibrium [SI].
   Matrix4 stiffness = Matrix4::Constant(unset);
   std::vector<LoadedRoller> rollers;
-  double clearance = unset;          ///< s of this equilibrium [m]
+  double clearance = unset;          ///< radial clearance s of this equilibrium [m]
   double centrifugal_force = unset;  ///< force on one roller [N]
   /// ∂(Σ Qi)/∂s at constant forces on the ring and constant tilt, always negative [N/m]: the loss
   /// of roller load by additional clearance. Σ Qo has the same derivative.
   double sum_by_clearance = unset;
-  /// True if there is no load and no inner contact: the position of the ring within its clearance
-  /// is undefined. Such a state is a valid equilibrium without displacement and stiffness.
+  /// True if there is no load and no inner contact. Such a state is a valid equilibrium without
+  /// displacement and stiffness, because the ring is free within its clearance.
   bool loose = false;
   SolveReport report;
 
@@ -69,7 +69,7 @@ struct RollerEquilibrium {
   [[nodiscard]] double outer_sum() const;
   /// Number of rollers that touch the inner ring [1].
   [[nodiscard]] int loaded_rollers() const;
-  /// Largest load of a slice [N].
+  /// Largest load of a slice at one race [N].
   [[nodiscard]] double largest_lamina(Race race) const;
 };
 
@@ -88,29 +88,29 @@ struct RollerEquilibrium {
 ///
 /// The equilibrium is the minimum of a convex energy of ring and rollers. Newton's method solves
 /// for all unknowns, with a line search on the derivative along the step. The two unknowns of each
-/// roller are eliminated. (Ki + Ko) is singular if a roller touches with a single slice; K then
-/// uses the pseudo-inverse.
+/// roller are eliminated. Ki and Ko are the contact stiffnesses of a roller; B maps the ring
+/// displacement to the roller. K uses the pseudo-inverse if a roller touches with a single slice.
 ///
 /// Source:   at rest the formulas of [ISO16281], as two other programs implement them; the series
-///           connection of the two contacts and the centrifugal force Fc are derived.
-/// Domain:   speed >= 0. axial_load must be 0, because the bearing carries no axial load; otherwise
-///           the function throws std::invalid_argument. Without load and preload no roller touches
-///           the inner ring, and the status is `loose`. The ring does not move in a direction
-///           without stiffness (one loaded roller).
-/// Accuracy: `tolerance`. Physical assumptions: rigid rings, quasi-static motion; no skew, flange
-///           friction, cage slip or film. An approach below 1e-15 m is not a contact. Otherwise a
-///           rounding error of 1e-19 mm at 90 deg would contribute 1 % of a stiffness, because q'
-///           is proportional to the ninth root of the approach.
+///           connection of the contacts and the terms with the centrifugal force Fc are derived.
+/// Domain:   speed >= 0. The function throws std::invalid_argument unless axial_load is 0. Without
+///           load and preload no roller touches the inner ring, and the status is `loose`. The ring
+///           does not move in a direction without stiffness, for example with one loaded roller.
+/// Accuracy: the relative imbalance is at most `tolerance`. The model assumes rigid rings and
+///           quasi-static motion. The model ignores roller skew, flange friction, cage slip and
+///           film. An approach below 1e-15 m is not a contact. Otherwise a rounding error of 1e-19
+///           mm at 90 deg would contribute 1 % of a stiffness, because q' is proportional to the
+///           ninth root of the approach.
 [[nodiscard]] RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing,
                                                      const OperatingPoint& point,
                                                      const RollerOptions& options = {});
 
 class RollerBalance;
 
-/// Roller bearing with a given displacement of the inner ring: finds the equilibrium of the rollers
-/// between the raceways. The displacement has the five coordinates of DisplacedBearing; the axial
-/// coordinate has no effect. Use this class for many displacements and clearances. Each solve
-/// starts from the previous solution. The object keeps a reference to the bearing.
+/// Finds the equilibrium of the rollers for a given displacement of the inner ring. The
+/// displacement has the five coordinates of DisplacedBearing; the axial coordinate has no effect.
+/// Use this class for many displacements and clearances. Each solve starts from the previous
+/// solution. The bearing must exist as long as the object.
 class DisplacedRollerBearing {
  public:
   /// If `clearance` is NaN, the clearance of the geometry is used.
@@ -120,14 +120,15 @@ class DisplacedRollerBearing {
   ~DisplacedRollerBearing();
 
   void set_clearance(double clearance);
-  /// Returns false if the rollers have no equilibrium; force and stiffness are then invalid.
+  /// Finds the equilibrium at this displacement of the inner ring. Returns false if there is none;
+  /// force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
-  /// Forces applied to the ring, in equilibrium with its rollers: F_x = 0, F_y, F_z [N], M_y, M_z
+  /// External forces on the ring that balance the roller forces: F_x = 0, F_y, F_z [N], M_y, M_z
   /// [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }
-  /// ∂force/∂displacement with the rollers in equilibrium.
+  /// Tangent stiffness ∂force/∂displacement with the rollers in equilibrium [SI].
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
-  /// All results at the last displacement.
+  /// Returns all results at the last displacement.
   [[nodiscard]] RollerEquilibrium equilibrium() const;
 
  private:
@@ -138,22 +139,23 @@ class DisplacedRollerBearing {
   Matrix5 stiffness_ = Matrix5::Constant(unset);
 };
 
-/// Finds the equilibrium of the rollers at a given displacement of the inner ring; `load` of the
-/// result is the reaction at this displacement. If `clearance` is NaN, the clearance of the
+/// Finds the equilibrium of the rollers at a given displacement of the inner ring. `load` of the
+/// result is the external load at this displacement. If `clearance` is NaN, the clearance of the
 /// geometry is used.
 [[nodiscard]] RollerEquilibrium displaced_roller_bearing(const RollerBearing& bearing,
                                                          const Vector4& displacement, double speed,
                                                          double clearance = unset);
 
-/// Largest Hertz pressures over all slices [Pa]; 0 without contact at that race, NaN without
-/// equilibrium.
+/// Largest Hertz pressures over all slices [Pa]; 0 for a race without contact, NaN if the
+/// equilibrium did not converge.
 [[nodiscard]] ContactPressure largest_pressure(const RollerBearing& bearing,
                                                const RollerEquilibrium& equilibrium);
 
 /// Hertz pressure that defines the static rating of roller bearings [Pa]. Source: [ISO76].
 inline constexpr double static_limit_pressure_of_lines = 4000e6;
 
-/// Approximate tilt above which the ends of the rollers are overloaded [rad]. From memory.
+/// Approximate ring tilt above which the roller ends are overloaded [rad]; from memory, without a
+/// source.
 inline constexpr double usual_tilt_limit = 1.2e-3;
 
 }  // namespace raceway::bearing

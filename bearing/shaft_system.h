@@ -7,7 +7,7 @@
 
 namespace raceway::bearing {
 
-/// Unknown positions: the shaft, the rear set, and one ball of every bearing.
+/// Positions that are unknowns: the shaft, the rear set, and one ball of every bearing.
 struct ShaftState {
   double shaft = 0.0;  ///< position of the shaft y = d x [m], with d and x of Arrangement
   double rear = 0.0;   ///< axial compression δ_r of the rear set [m]
@@ -34,7 +34,8 @@ struct ShaftAssembly {
   double merit;              ///< sum of squares of the scaled imbalances
 };
 
-/// Equilibrium of a shaft on its bearing sets, solved by Newton's method. Internal to the solver.
+/// Equilibrium of a shaft on its bearing sets, solved by Newton's method. This class is internal to
+/// the solver.
 class ShaftSystem {
  public:
   ShaftSystem(const Arrangement& arrangement, const EquilibriumOptions& options);
@@ -63,12 +64,11 @@ class ShaftSystem {
   [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;
   /// Position of a ball on which only the centrifugal force acts.
   [[nodiscard]] Plane thrown_ball(std::size_t i) const;
-  /// True if bearing i > 0 has the same condition and equilibrium as the previous one on the same
-  /// side.
+  /// True if bearing i > 0 has the condition and equilibrium of bearing i - 1 on the same side.
   [[nodiscard]] bool alike(const ShaftState& state, std::size_t i) const {
     return members_[i].like_last && (at_rest_ || state.balls[i] == state.balls[i - 1]);
   }
-  /// External load per displacement of the shaft [N/m].
+  /// Tangent stiffness of the shaft: external load per displacement [N/m].
   [[nodiscard]] double stiffness() const;
   /// Force of the rear set or, in tandem, of the spring [N].
   [[nodiscard]] double rear_force(const ShaftState& state) const;

@@ -7,30 +7,30 @@
 namespace raceway::bearing {
 
 /// Angle of a shoulder's edge from the bottom of the groove, measured at the groove's centre like a
-/// contact angle [rad]. NaN if no shoulder diameter is given.
+/// contact angle [rad]. The angle is NaN if no shoulder diameter is given.
 ///
 ///   inner   cos θ = (R_i - d_s/2)/r_i,   r_i = f_i D,   R_i = d_m/2 + (f_i - 0.5) D cos α0
 ///   outer   cos θ = (d_s/2 - R_o)/r_o,   r_o = f_o D,   R_o = d_m/2 - (f_o - 0.5) D cos α0
 ///
-/// Source:   geometry, derived. Equal to cos θ = 1 - h/r with the land heights
-///           h = d_s/2 - (R_i - r_i) of [Harris2006].
-/// Domain:   d_s of validated(BearingGeometry).
+/// Source:   geometry, derived. The formulas equal cos θ = 1 - h/r with the land heights h = d_s/2
+///           - (R_i - r_i) of [Harris2006].
+/// Domain:   shoulder diameters d_s that validated(BearingGeometry) accepts.
 [[nodiscard]] double shoulder_angle(const BearingGeometry& geometry, Race race);
 
 /// Angular margin between the contact ellipse and the shoulder's edge [rad]:
 ///
 ///   θ - (α + asin(a/r))
 ///
-/// a is the half axis of the ellipse across the rolling direction. The margin is the smallest of
-/// all balls that touch. If the margin is below zero, the edge of the shoulder truncates the
-/// ellipse, and the pressure at the edge is higher than Hertz theory predicts.
+/// θ is shoulder_angle(), a is the half axis of the ellipse across the rolling direction, and r is
+/// the groove radius. The result is the smallest margin of all balls that touch. If the margin is
+/// below zero, the edge of the shoulder truncates the ellipse, and the pressure at the edge is
+/// higher than Hertz theory predicts.
 /// Source:   comparison of the static ellipse with the land height, as in [Harris2006, vol. 1];
 ///           from memory, not checked against the print.
 /// Domain:   a bearing in equilibrium. For α0 = 0 (deep groove, two shoulders) |α| replaces α;
-///           otherwise the groove has no shoulder beyond its bottom. NaN without a shoulder, or if
-///           no ball touches.
-/// Accuracy: the model has a sharp edge. A real edge is rounded over about 0.1 mm, which is about 1
-///           deg.
+///           otherwise the groove has no shoulder beyond its bottom. The margin is NaN without a
+///           shoulder diameter, or if no ball touches.
+/// Accuracy: the model assumes a sharp edge. A real edge is rounded over about 0.1 mm, or 1 deg.
 struct ShoulderMargins {
   double inner = unset, outer = unset;
   /// Truncated share of the ellipse's length, at the ball with the smallest margin [1].
@@ -40,15 +40,15 @@ struct ShoulderMargins {
                                                const BearingEquilibrium& equilibrium);
 
 /// Pure axial load at standstill under which the ellipse of a race reaches the edge of its shoulder
-/// [N]. The function solves the equilibrium of the bearing at each load that it tries.
+/// [N]. A load without equilibrium is treated as too large.
 ///
-/// Domain:   NaN without a shoulder; 0 if the edge lies below the nominal contact; infinite if no
-///           load up to 1e8 N reaches the edge.
-/// Accuracy: 1e-9 relative. This load is a limit of the geometry only: the pressure may exceed 4.2
-///           GPa.
+/// Domain:   the load is NaN without a shoulder diameter, 0 if the edge is below the nominal
+///           contact angle, and infinite if no load up to 1e8 N reaches the edge.
+/// Accuracy: the relative numerical error is 1e-9. This load is a limit of the geometry only; the
+///           contact pressure may exceed 4.2 GPa.
 struct PermissibleLoads {
   double inner = unset, outer = unset;
-  /// Returns the smaller of the known values.
+  /// Returns the smaller of both loads; a NaN load is ignored.
   [[nodiscard]] double least() const { return std::fmin(inner, outer); }
 };
 [[nodiscard]] PermissibleLoads permissible_axial_loads(const Bearing& bearing);

@@ -16,8 +16,8 @@ struct KernelBlock {
 };
 
 /// Points with equal ball count, symmetry, ball model and free coordinates. If the points do not
-/// fill the last block, the caller fills the other lanes with any point. The results of these lanes
-/// are not used.
+/// fill the last block, the caller must fill the remaining lanes with any point. The results of the
+/// remaining lanes are not used.
 struct KernelCall {
   BallCircle circle;
   BallModel model;

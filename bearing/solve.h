@@ -9,10 +9,10 @@ namespace raceway::bearing {
 enum class SolveStatus {
   not_run,
   converged,
-  no_equilibrium,   ///< none was found; SolveReport::certain is true if none exists
-  iteration_limit,  ///< reached EquilibriumOptions::max_iterations
+  no_equilibrium,   ///< no equilibrium was found; see SolveReport::certain
+  iteration_limit,  ///< the solver reached the limit of Newton steps
   singular,         ///< the load leaves a displacement undetermined
-  not_finite,       ///< a number is infinite or NaN
+  not_finite,       ///< a value of the solution is infinite or NaN
 };
 
 /// Returns the name of the status in the JSON results, such as "no_equilibrium".
@@ -22,8 +22,8 @@ enum class SolveStatus {
 /// success.
 struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
-  int iterations = 0;       ///< Newton steps, over all stages
-  double residual = unset;  ///< largest imbalance of ring and balls, scaled by load [1]
+  int iterations = 0;       ///< Newton steps, summed over all stages
+  double residual = unset;  ///< largest imbalance of ring and balls, relative to load [1]
   /// Sum of the forces of the reported balls minus the applied load, relative to the load [1].
   double recovered_load_error = unset;
   /// True if statics proves that no equilibrium exists. If false, `no_equilibrium` only means that

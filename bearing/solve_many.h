@@ -23,19 +23,19 @@ struct BearingCase {
   OperatingPoint point;
 };
 
-/// Finds the equilibria of many operating points, each from a cold start. The statuses equal the
-/// statuses of solve_bearing_equilibrium(), and the solutions agree within the tolerance. There is
-/// one exception: under inner control one load can have several equilibria, and another instruction
-/// set can find a different one because of rounding.
+/// Finds the equilibria of many operating points, each without a neighbouring solution. The
+/// statuses equal the statuses of solve_bearing_equilibrium(), and the solutions agree within the
+/// tolerance. There is one exception: under inner control one load can have several equilibria, and
+/// another instruction set can find a different equilibrium because of rounding.
 ///
-/// Newton's method solves the points in SIMD lanes, from the thrust start. Points at which Newton's
-/// method does not converge are solved like single points. Threads share the points in fixed
-/// chunks. The result of a point depends only on the point and the instruction set, to the last
-/// bit. The other points and the number of threads have no influence. Memory: the results, and a
-/// fixed amount per thread. If the results have enough memory for the balls, the function allocates
-/// no memory for them.
+/// Newton's method solves several points in parallel (SIMD), from the closed-form thrust solution.
+/// Points at which Newton's method does not converge are solved like single points. Threads share
+/// the points in fixed chunks. The result of a point depends only on the point and the instruction
+/// set, to the last bit. The number of threads has no influence. The function needs memory for the
+/// results and a fixed amount per thread. Memory for balls in `results` is used again.
 ///
-/// Throws std::invalid_argument for different sizes, and for points that are out of range.
+/// Throws std::invalid_argument if the number of results differs from the number of points, for
+/// points that are out of range, and if the machine does not support `set`.
 void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,
                 std::span<BearingEquilibrium> results, const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
@@ -43,7 +43,7 @@ void solve_many(std::span<const BearingCase> cases, std::span<BearingEquilibrium
                 const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
 
-/// Solves many points for callers that keep only a few numbers of each point. Several threads call
+/// Solves many points for callers that keep only a few values of each point. Several threads call
 /// `take` with the index of a point and its equilibrium, once for each index. Memory does not grow
 /// with the number of points.
 void visit_equilibria(const Bearing& bearing, std::span<const OperatingPoint> points,

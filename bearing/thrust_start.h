@@ -5,15 +5,15 @@
 
 namespace raceway::bearing {
 
-/// Approximate position of every ball under pure thrust. Other solves with an axial load > 0 start
-/// from this position if there is no neighbouring solution.
+/// Approximate positions of the ring and of every ball under pure thrust. Solves with an axial
+/// load > 0 start from these positions if there is no neighbouring solution.
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]
   PlaneOf<T> ball_centre;  ///< X [m]
 };
 
-/// Statics of a ball under a thrust P, at a given cotangent of the inner contact angle:
+/// Statics of a ball under a thrust P per ball, at a given cotangent of the inner contact angle:
 ///
 ///   Qi = (P - Ti cos αi)/sin αi,   tan αo = P / (Qi cos αi - Ti sin αi + 1.4 Fc)   (outer control)
 template <RaceControl control, typename T>
@@ -105,9 +105,9 @@ template <typename T>
 ///   t = cot αo = (Qi c + 1.4 Fc)/P,   ∂t/∂c = 1/sin³ αi,   ∂t/∂m = 2.8 C m/P
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
-/// Inner control uses the same slopes, which then neglect the change of the couple. The last step
-/// follows the slopes (sin αi to second order); the equations are not evaluated after this step.
-/// Most loads need two evaluations. Returns true in the lanes with a result.
+/// Inner control uses the same slopes, which then neglect the change of the gyroscopic couple. The
+/// last step follows the slopes (sin αi to second order); the equations are not evaluated after
+/// this step. Most loads need two evaluations. Returns true in the lanes with a result.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
@@ -292,8 +292,8 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
                                 ThrustStart<double>& start);
 
 /// Finds the ball centre and the inner groove centre at which one ball under inner control exerts a
-/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi. The other
-/// values follow from statics. Returns false if the contact would be in tension.
+/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi. The outer
+/// contact angle and load follow from statics. Returns false if the contact would be in tension.
 [[nodiscard]] bool ball_under_force(const BallConstantsOf<double>& constants, Plane force,
                                     Plane& groove_centre, Plane& ball_centre);
 

@@ -12,7 +12,7 @@ namespace raceway::rig {
 /// suitable for records with a few hundred to a million samples.
 struct CoastDownOptions {
   int windows = 40;        ///< wanted windows per run; more windows give more and noisier rows
-  int fewest_samples = 7;  ///< least number in a window; 7 leave 4 degrees of freedom for noise
+  int fewest_samples = 7;  ///< least samples in a window; 7 leave 4 degrees of freedom for noise
   /// Largest fall of the speed within a window, relative to the speed at the start of the window
   /// [1].
   double largest_fall = 0.25;
@@ -25,7 +25,7 @@ struct CoastDownRun {
   int before_release = 0;      ///< excluded samples before the release: run-up and plateau
   int outliers = 0;            ///< samples excluded as outliers
   int rows = 0;                ///< number of rows, each with a torque
-  double speed_noise = unset;  ///< standard deviation of one sample (or block mean) [rad/s]
+  double speed_noise = unset;  ///< standard deviation of a speed sample or block mean [rad/s]
   double correlation = 0.0;    ///< correlation of neighbouring residuals; 0 if not significant [1]
   double torque_std = unset;   ///< standard deviation of the torque, median over the rows [N m]
 };
@@ -43,29 +43,31 @@ struct CoastDownTorque {
 ///
 /// The method is local regression. Each run is divided into windows of consecutive samples that do
 /// not overlap, so the errors of the rows are independent. A parabola in time is fitted to each
-/// window; its slope and value at the mean time of the window make one row. The slope of a parabola
-/// is not affected by the curvature of ω(t), even for unequally spaced samples. For equal spacing,
-/// its noise equals the noise of the slope of a straight line. A window covers 1/`windows` of the
-/// run, because noise falls with the 1.5th power of its length. A window is shorter if the speed
-/// would fall by more than `largest_fall`. The remaining error comes from the third derivative. For
-/// M ~ ω^p and a relative fall s of the speed, this error is the share p (2p - 1) s²/40 of the
-/// torque. At s = 0.25, the share is 0.04 % for p = 2/3 and 1 % for p = 2.
+/// window. The slope and the value of the parabola at the mean time of the window give torque and
+/// speed of one row. The slope of a parabola is not affected by the curvature of ω(t), even for
+/// unequally spaced samples. For equal spacing, its noise equals the noise of the slope of a
+/// straight line. A window covers 1/`windows` of the run, because the noise falls with the 1.5th
+/// power of the window length. A window is shorter if the speed would fall by more than
+/// `largest_fall`. The remaining error comes from the third time derivative of the speed. For M ~
+/// ω^p and a relative fall s of the speed, this error is the share p (2p - 1) s²/40 of the torque.
+/// At s = 0.25, the share is 0.04 % for p = 2/3 and 1 % for p = 2.
 ///
-/// The standard deviation of a row is the residual scale of the whole run (robust, Huber's proposal
-/// 2) times the gain of the slope. If neighbouring residuals are correlated (filtered signals), the
-/// standard deviation is increased by the factor of a first-order autoregression. Samples that are
-/// more than 8 robust standard deviations away from a robust local parabola are excluded. Windows
-/// do not span gaps. Dense records are first averaged in blocks, at most 32 in a window.
+/// The standard deviation of a row follows from the scatter of the residuals of the whole run
+/// (robust estimate, Huber's proposal 2), propagated to the slope. If neighbouring residuals are
+/// correlated (filtered signals), the standard deviation is increased by the factor of a
+/// first-order autoregression. Samples that are more than 8 robust standard deviations away from a
+/// robust local parabola are excluded. No window extends over a gap. Dense records are first
+/// averaged in blocks, at most 32 in a window.
 ///
 /// The line number of a row is the line in the middle of its window. The notes state how many
-/// samples were excluded or averaged, and the first places.
+/// samples were excluded or averaged, and name the first lines.
 /// Domain:   constant inertia, no drive. The function excludes samples before the release
 /// (release.h), samples at standstill or below Rig::minimum_speed, windows in which the shaft
 /// speeds up, and runs with fewer samples than the smallest window. If the shaft is driven up again
-/// within a run, each coast-down in the run is used. Samples with the same time are averaged.
-/// Throws std::invalid_argument if the inertia is missing or not positive, for a value that is not
-/// finite, for a time that decreases within a run (the message names the line), and if no run is
-/// long enough.
+/// within a run, the function uses each coast-down in the run. Samples with the same time are
+/// averaged. Throws std::invalid_argument if the inertia is missing or not positive, for a value
+/// that is not finite, for a time that decreases within a run (the message names the line), for
+/// invalid options, and if no run gives a torque.
 [[nodiscard]] CoastDownTorque coast_down_torque(const record::Record& coast_down,
                                                 const model::Rig& rig,
                                                 const CoastDownOptions& options = {});

@@ -11,7 +11,7 @@ namespace raceway::rig {
 struct Fall {
   double from = unset, to = unset;  ///< [rad/s], from > to > 0
   double time = unset;              ///< duration of the fall [s]
-  double time_deviation = unset;    ///< standard deviation of the time [s]; NaN: not declared
+  double time_deviation = unset;    ///< standard deviation of the time [s]; NaN if unknown
 };
 
 /// Returns the speed at which a torque M ~ ω^p equals the mean torque over the time of a fall
@@ -21,11 +21,11 @@ struct Fall {
 ///
 ///   1/M(ω_e) = ∫ dω/M / (ω1 - ω2)   gives   ω_e^-p = (ω1^(1-p) - ω2^(1-p)) / ((1 - p)(ω1 - ω2))
 ///
-/// This is a Stolarsky mean: the logarithmic mean for p = 1, and sqrt(ω1 ω2) for p = 2.
+/// ω_e is a Stolarsky mean: the logarithmic mean for p = 1, and sqrt(ω1 ω2) for p = 2.
 /// Source:   derived.
 /// Domain:   ω1 > ω2 > 0, any p; p = 0 and p = 1 are limits.
-/// Accuracy: rounding. The mean of the two speeds would give an error in M of p (p + 1) s²/24 with
-///           s = (ω1 - ω2)/ω, 0.25 % for p = 2 at s = 0.1.
+/// Accuracy: rounding. The mean of the two speeds would give a relative error of M of p (p + 1)
+///           s²/24 with s = (ω1 - ω2)/ω, 0.25 % for p = 2 at s = 0.1.
 [[nodiscard]] double speed_of_mean_torque(double from, double to, double exponent);
 
 /// Computes the friction torque of the rig from the times between given speeds [N m], one row for
@@ -35,16 +35,16 @@ struct Fall {
 ///
 /// The exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the
 /// row and its neighbours. A neighbour is the nearest lower or higher fall of the same run with the
-/// same other inputs. The middle speed of a neighbour lies outside the fall of the row. At an end,
-/// the next two falls are used. For two falls, p' is 0; for a single fall, p = 2/3, as for a
-/// viscous moment. With p and p' of a parabola, ω_e is correct to second order in s = (ω1 - ω2)/ω
-/// for every smooth law.
+/// same other inputs. The middle speed of a neighbour lies outside the fall of the row. The fastest
+/// or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4. For two falls, p' is
+/// 0; for a single fall, p = 2/3, as for a viscous moment. With p and p' of a parabola, ω_e is
+/// correct to second order in s = (ω1 - ω2)/ω for every smooth law.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
-/// The speed of the record is replaced. If every fall has a standard deviation of the time, the
-/// torques have one too: σ_M = M σ_t/t. Throws std::invalid_argument if the inertia is missing or
-/// not positive, if `falls` and `record` differ in length, and for an invalid fall (with its
-/// place).
+/// ω_e replaces the speed of the record. If every fall has a standard deviation of the time, the
+/// torques have σ_M = M σ_t/t. Throws std::invalid_argument if the inertia is missing or not
+/// positive, if `falls` and `record` differ in length, and for an invalid fall (the message names
+/// its line).
 [[nodiscard]] record::Record fall_torque(const record::Record& record, std::span<const Fall> falls,
                                          const model::Rig& rig);
 

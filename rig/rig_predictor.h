@@ -11,15 +11,16 @@
 
 namespace raceway::rig {
 
-/// Equilibria of the bearing at the rows of a record, for the model with the values of its file.
+/// Equilibria of the bearing at the rows of a record, for the parameter values of the model file.
 /// The equilibria are solved at the first request and then shared.
 class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);
-  /// Returns the equilibria by row; empty if the operating points of `rows` differ from those of
-  /// the record. Several threads may call this function at the same time.
+  /// Returns one equilibrium for each row. The list is empty for a bearing with cylindrical
+  /// rollers, and if the operating points of `rows` differ from the points of the record. Several
+  /// threads may call this function at the same time.
   [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
-  /// Works like of(), for a bearing with cylindrical rollers.
+  /// Works like of(), for a bearing with cylindrical rollers. The list is empty for a ball bearing.
   [[nodiscard]] std::span<const model::RowPredictor::Rollers> rollers_of(
       std::span<const model::Row> rows) const;
 
@@ -34,14 +35,15 @@ class EnteredBalances {
 };
 
 /// Predicts the friction torque that a rig measures at every row of a record [N m]. If a parameter
-/// changes, the results of all stages before the first affected stage are kept.
+/// changes, only the stages from the first affected stage are repeated.
 class RigPredictor : public fit::Predictor {
  public:
-  /// `entered` may be null; it is used only in the constructor.
+  /// `entered` may be null. Only the constructor uses it.
   RigPredictor(const model::Model& model, const record::Record& record,
                std::vector<model::ParameterPlace> places, const EnteredBalances* entered);
-  /// Values are in the order of the places. All readings are NaN for values that the model rejects.
-  /// If the model rejects the values of its file, an exception with the reason is thrown instead.
+  /// Writes the torque of every row to `out` [N m]. `values` are in the order of `places`. All
+  /// torques are NaN for values that the model rejects. If the model rejects the values of its
+  /// file, the function throws std::invalid_argument.
   void readings(std::span<const double> values, std::span<double> out) override;
 
  private:

@@ -19,27 +19,28 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the columns: the torque times a cubic polynomial in ln speed, ln axial load and
-  /// temperature with interactions. Quadratic terms are added for the radial load, the preload and
-  /// the ring temperatures if they vary. For cylindrical rollers, the radial load replaces the
-  /// axial load.
+  /// Returns the columns of the saturated regression: the torque times a cubic polynomial in ln
+  /// speed, ln axial load and temperature with interactions. Quadratic terms are added for the
+  /// radial load, the preload and the ring temperatures if they vary. For cylindrical rollers, the
+  /// radial load replaces the axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns the temperature if it varies.
+  /// Returns the temperature, if the temperature varies in the record.
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns speed, load and viscosity.
+  /// Returns the factors of each row: speed, load and viscosity. The load is the resultant of axial
+  /// and radial load.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Returns the formula for the moment of one bearing, for a user-defined effect.
+  /// Returns inputs and unit of a formula for the moment of one bearing, for a user-defined effect.
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Returns the laws that can replace the law of the model, with ids such as "law:skf".
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Also names the rows that two parameters of the contact law need: mu_boundary needs thin films,
-  /// and limiting_traction needs high pressure.
+  /// Adds missing rows for two parameters of the contact law to ModelSubject::lacks(): mu_boundary
+  /// needs a film ratio below 2, and limiting_traction needs a contact pressure above 1.5 GPa.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns the measurements that would distinguish a wrong datum from an effect, such as a new
-  /// measurement of the oil or the temperature.
+  /// Returns measurements that would distinguish the rival explanations, such as a new measurement
+  /// of the oil viscosity.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

@@ -23,27 +23,28 @@ inline constexpr int highest_sensor_degree = 3;
 /// A test is significant if its p-value is below this limit.
 inline constexpr double sensor_significance = 0.01;
 
-/// Tests whether the scatter of repeated readings can explain the distance of their means from the
+/// Tests whether the scatter of repeated readings explains the distance of the means from the
 /// curve.
 ///
 ///   F = (Σ n_l (mean_l - V(M_l))² / (L - p)) / (Σ (V - mean_l)² / (N - L))
 ///
-/// N readings at L torques; the curve has p coefficients. Source: [NISThandbook, 4.4.4.6].
+/// N readings were taken at L torques, n_l at M_l. The curve V(M) has p coefficients. Source:
+/// [NISThandbook, 4.4.4.6].
 struct LackOfFit {
-  double statistic = unset;            ///< F statistic; NaN without a test
+  double statistic = unset;            ///< F; NaN if the readings allow no test
   double p_value = unset;              ///< [1]
   int degrees = 0, error_degrees = 0;  ///< L - p, N - L
-  double repeatability = unset;        ///< standard deviation within repeats [V]
+  double repeatability = unset;        ///< scatter at one torque [V]; NaN without repeats
 };
 
-/// Readings with falling torque minus readings with rising torque, at torques that have both. The
-/// ends of the range are excluded, because both directions share one reading there. The test is
-/// Student's t test of the mean over the torques.
+/// Mean signal at falling torque minus mean signal at rising torque, at each torque that was read
+/// in both directions, except the ends of the range. Student's t test checks whether the mean of
+/// these differences is zero.
 struct Hysteresis {
-  int torques = 0;
-  double mean = unset;        ///< [V]
+  int torques = 0;            ///< number of torques read in both directions
+  double mean = unset;        ///< mean difference [V]; NaN if `torques` is 0
   double largest = unset;     ///< largest difference with its sign [V]
-  double largest_at = unset;  ///< [N m]
+  double largest_at = unset;  ///< torque of the largest difference [N m]
   double p_value = unset;     ///< p-value [1]; NaN below 3 torques
 };
 
@@ -52,35 +53,36 @@ struct SensorCalibration {
   TorqueSensor sensor;
   int readings = 0, torques = 0, degrees_of_freedom = 0;
   double signal_range = unset;  ///< |V(highest) - V(lowest)|, the reference for relative errors [V]
-  /// Standard deviation of `signal_range`, which gives the uncertainty of the gain [V].
+  /// Standard deviation of `signal_range`: the uncertainty of the gain [V].
   double range_std = unset;
-  double off_line = unset;   ///< largest distance of a mean from the best straight line [V]
-  double off_curve = unset;  ///< largest distance of a mean from the curve [V]
-  /// p-value of all further terms up to the third degree [1]; NaN if none can be tested.
+  /// Largest distance of a mean signal at one torque from the best straight line [V].
+  double off_line = unset;
+  /// Largest distance of the mean signal at one torque from the curve [V].
+  double off_curve = unset;
+  /// p-value of all higher terms up to the third degree [1]; NaN if no higher term can be tested.
   double higher_terms_p_value = unset;
   LackOfFit lack_of_fit{};
   Hysteresis hysteresis{};
-  /// p-value of the hypothesis that the scatter is equal at every torque, after [Koenker1981] [1];
-  /// NaN below 10 readings.
+  /// p-value of equal scatter at every torque [Koenker1981] [1]; NaN below 10 readings or without
+  /// scatter.
   double even_scatter_p_value = unset;
-  /// Scatter in the lower and in the upper half of the range [V].
+  /// Scatter in the lower and upper half of the range of |M| [V]; NaN like even_scatter_p_value.
   double scatter_low = unset, scatter_high = unset;
   std::vector<record::Note> notes{}, warnings{};
 
   [[nodiscard]] int degree() const { return static_cast<int>(sensor.coefficients.size()) - 1; }
-  /// Returns the standard deviation of a coefficient.
+  /// Returns the standard deviation of coefficient b_k [V/(N m)^k].
   [[nodiscard]] double std(int coefficient) const;
 };
 
 /// Fits the signal as a polynomial of the torque by least squares, with QR decomposition for the
 /// scaled torque. If no degree is given, the lowest degree is used for which no higher term, up to
 /// the third, is significant. If the scatter changes significantly along the range, the covariance
-/// comes from HC3 of [MacKinnon1985], which allows such a change.
+/// comes from HC3 of [MacKinnon1985], which is valid for such a change.
 ///
-/// Throws std::invalid_argument for an invalid degree, for only one reference torque, for too few
-/// torques or readings for the degree, and for a signal that does not depend on the torque or is
-/// not monotone.
-/// Accuracy: 1e-10 of the certified values of the NIST data sets Pontius and Norris.
+/// Throws std::invalid_argument for an invalid degree, for fewer than degree + 1 torques or degree
+/// + 2 readings, and for a signal that does not depend on the torque or is not monotone.
+/// Accuracy: 1e-10 relative to the certified values of the NIST data sets Pontius and Norris.
 [[nodiscard]] SensorCalibration calibrate_sensor(std::span<const SensorReading> readings,
                                                  std::optional<int> degree = {});
 

@@ -17,21 +17,21 @@ namespace raceway::rig {
 ///   beyond them the tangent at that end
 ///
 /// Source:   definition. The inverse function gives the torque of a reading.
-/// Domain:   V increases or decreases over the whole range; turning_torque() is then empty.
+/// Domain:   V increases or decreases over the whole range, so that turning_torque() is empty.
 /// Trap:     fit the signal as a function of the torque, not the reverse. Weights on an arm are
 ///           known much better than the signal, and the scatter of the signal would reduce the
 ///           slope of a fit of M over V.
 struct TorqueSensor {
   Eigen::VectorXd coefficients{};  ///< b_k [V/(N m)^k]
-  Eigen::MatrixXd covariance{};    ///< covariance of the coefficients
+  Eigen::MatrixXd covariance{};    ///< covariance matrix of the coefficients
   double scatter = unset;          ///< standard deviation of one reading of the signal [V]
-  double lowest_torque = unset;    ///< range of the calibration [N m]
-  double highest_torque = unset;   ///< [N m]
-  double lowest_signal = unset;    ///< range of the signal in the calibration [V]
-  double highest_signal = unset;   ///< [V]
+  double lowest_torque = unset;    ///< lowest torque of the calibration [N m]
+  double highest_torque = unset;   ///< highest torque of the calibration [N m]
+  double lowest_signal = unset;    ///< lowest signal of the calibration [V]
+  double highest_signal = unset;   ///< highest signal of the calibration [V]
   /// Signal without torque on the day of the record [V]; replaces V(0).
   std::optional<double> zero = {};
-  /// Standard deviation of `zero` [V]; default: `scatter`, for a single reading.
+  /// Standard deviation of `zero` [V]; if empty, `scatter` of a single reading.
   std::optional<double> zero_std = {};
   std::string source = {};  ///< file of the calibration, for messages
 };
@@ -49,8 +49,8 @@ struct TorqueSensor {
 
 /// A reading converted to a torque.
 struct SensedTorque {
-  double torque;  ///< M with V(M) = V, or V(M) - V(0) = V - zero [N m]
-  double std;     ///< sqrt(scatter²/V'(M)² + common²) [N m]
+  double torque;  ///< M with V(M) = V or, with a zero, V(M) - V(0) = V - zero [N m]
+  double std;     ///< standard deviation, sqrt(scatter²/V'(M)² + common²) [N m]
   /// Standard deviation of the error from the calibration and `TorqueSensor::zero` [N m]: sqrt(gᵀ C
   /// g + s²) / |V'|. Without `zero`, g = ∂V/∂b at M and s = 0. With `zero`, g is ∂V/∂b at M minus
   /// ∂V/∂b at 0, and s is the standard deviation of `zero`. All readings of a record share this
@@ -65,8 +65,9 @@ struct SensedTorque {
 
 /// Readings of a record converted to torques.
 struct SensedTorques {
-  std::vector<double> torque{};  ///< [N m]; NaN without a reading
-  std::vector<double> std{};     ///< [N m]; empty if the calibration has no scatter
+  std::vector<double> torque{};  ///< one for each signal [N m]; NaN if the signal is NaN
+  /// Standard deviation of each torque [N m]; empty if the calibration has no scatter.
+  std::vector<double> std{};
   /// Notes on the errors of the torques and on signals outside the calibration.
   std::vector<record::Note> notes{};
 };

@@ -14,19 +14,19 @@ namespace raceway::shaft {
 /// equilibrium is solved again only if the mounted sets, their condition or the inputs of ball
 /// rotation have changed.
 ///
-/// The axial load of a row is the external load. Without a recorded load, the model gives the load.
-/// The recorded preload force at standstill and recorded ring temperatures replace the values of
-/// the model. Balls, shaft and housing keep the temperatures of the model if it gives any.
-/// Otherwise, the balls have the mean temperature of the rings, the shaft has the temperature of
-/// the inner ring, and the housing has the temperature of the outer ring.
+/// The axial load of a row is the external load on the shaft. A record without axial load uses the
+/// external load of the model. The recorded preload force at standstill and recorded ring
+/// temperatures replace the values of the model. set_temperatures() gives the temperatures of shaft
+/// and housing. If the model gives no ball temperature, the balls have the mean temperature of the
+/// rings.
 class BalancedRows {
  public:
   struct Row {
     model::Row row;  ///< row of the record; missing ring temperatures come from the model
     std::optional<bearing::SetTemperatures> temperatures;
-    std::vector<effects::Condition> bearings{};  ///< changes by effects, front set first
+    std::vector<effects::Condition> bearings{};  ///< changes of each bearing, front set first
     bearing::ArrangementEquilibrium equilibrium{};
-    int solved = 0;  ///< number of solved equilibria
+    int solved = 0;  ///< number of equilibria solved for this row
 
    private:
     friend class BalancedRows;
@@ -37,19 +37,20 @@ class BalancedRows {
   };
 
   /// The record must live longer than this object. Throws std::invalid_argument for a model without
-  /// a shaft, and like add_expansion().
+  /// a shaft, and for temperatures that add_expansion() rejects.
   BalancedRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] const Row& operator[](std::size_t i) const { return rows_[i]; }
-  /// Returns the sets of a row.
+  /// Returns the mounted sets with the preload of row i.
   [[nodiscard]] const ShaftBalance& sets(std::size_t i) const {
     return balances_[rows_[i].balance];
   }
 
-  /// Mounts the sets of a model. find() then solves the rows, in their order.
+  /// Mounts the sets with the parameter values of a model. Then call find() for the rows in order.
   void mount(const Model& model, const Steps& steps);
-  /// Solves a row. Returns false if the sets have no equilibrium or an effect has no value.
+  /// Solves the equilibrium of row i. Returns false if the sets cannot be mounted or have no
+  /// equilibrium, if the speed or the load is not finite, or if an effect gives no finite value.
   [[nodiscard]] bool find(const Model& model, const Steps& steps, std::size_t i);
 
  private:

@@ -10,9 +10,9 @@
 
 namespace raceway::shaft {
 
-/// Catalogue data of a back-to-back pair in one preload class.
+/// Axial rigidity of a back-to-back pair in one preload class: catalogue value and fitted value.
 struct PairRigidity {
-  std::string preload_class;  ///< "L", "M", "S"
+  std::string preload_class;  ///< name of the class, such as "L", "M" or "S"
   double preload = unset;     ///< axial preload force on each bearing [N]
   double printed = unset;  ///< axial rigidity of the pair from the catalogue, tangent 2 dF/dx [N/m]
   double computed = unset;  ///< axial rigidity with the fitted conformity [N/m]
@@ -24,9 +24,9 @@ struct PairRigidity {
 inline constexpr double lowest_conformity = 0.505, highest_conformity = 0.56;
 
 struct ConformityFit {
-  double conformity = unset;  ///< common value of both grooves [1]
-  /// Standard error [1]; NaN if there is only one preload class, or if the conformity is at a
-  /// bound.
+  double conformity = unset;  ///< fitted conformity of both grooves [1]
+  /// Standard error of `conformity` [1]; NaN if there is only one preload class, or if the
+  /// conformity is at a bound.
   double std = unset;
   record::Bound at_bound = record::Bound::none;
   double rms = unset;  ///< rms of ln(computed/printed) [1]
@@ -35,20 +35,22 @@ struct ConformityFit {
 };
 
 /// Returns the axial tangent rigidity of a back-to-back pair of equal bearings at rest with rigid
-/// preload: twice the rigidity of one bearing at that load [N/m]. NaN if there is no equilibrium.
+/// preload: twice the rigidity of one bearing under this preload [N/m]. The result is NaN without
+/// equilibrium.
 [[nodiscard]] double pair_rigidity(const bearing::Bearing& bearing, double preload);
 
 /// Fits one groove conformity for both races to the pair rigidities of a catalogue. The fit
 /// minimises Σ ln²(computed/printed) within lowest_conformity..highest_conformity. The conformities
 /// in `bearing` are not used.
 ///
-/// The rigidity hardly distinguishes the two races, so only a common value can be found. This value
-/// also compensates for all other differences in stiffness between this model and the catalogue,
-/// such as elastic rings.
-/// Accuracy: `std` comes from the scatter of the classes: printed digits, and differences that one
-/// conformity cannot explain. `std` does not include the maker's method of calculation. A change of
-/// the conformity by 0.01 changes the rigidity by 19 % (15 deg) or 12 % (25 deg). Throws
-/// std::invalid_argument without a class and for a preload or a rigidity that is not positive.
+/// The rigidity hardly distinguishes the two races, so the fit can find only a common conformity.
+/// The fitted conformity also compensates for all other differences in stiffness between this model
+/// and the catalogue, such as elastic rings.
+/// Accuracy: `std` comes from the scatter of the deviations over the preload classes. `std` does
+///           not include an error of the maker's method of calculation. A change of the conformity
+///           by 0.01 changes the rigidity by 19 % (contact angle 15 deg) or 12 % (25 deg).
+/// Throws std::invalid_argument if `classes` is empty, and for a preload or a printed rigidity that
+/// is not positive and finite.
 [[nodiscard]] ConformityFit fit_conformity(const bearing::Bearing& bearing,
                                            std::span<const PairRigidity> classes);
 

@@ -16,8 +16,9 @@ class DisplacementRows {
   DisplacementRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  /// Computes the readings of all rows [m], like predict_displacement(). `model` must have the same
-  /// effects and temperatures as the previous model; the parameters may differ.
+  /// Writes the displacement at every row to `readings` [m], like predict_displacement(). `model`
+  /// must have the effects and temperatures of the model in the constructor. Other parameters may
+  /// differ.
   void predict(const Model& model, std::span<double> readings);
 
  private:
@@ -25,7 +26,7 @@ class DisplacementRows {
     double position = 0.0;  ///< [m]
     int version = 0;        ///< ShaftBalance::version() at this position
   };
-  /// Returns the position at standstill [m].
+  /// Returns the shaft position at standstill under the load of row i [m].
   [[nodiscard]] double standstill(const Model& model, std::size_t i);
 
   Steps steps_;
@@ -34,16 +35,15 @@ class DisplacementRows {
 };
 
 /// Returns the displacement of the shaft at the rows of a record [m]: ShaftPrediction::displacement
-/// plus the contributions of effects on the reading. The value of a row is NaN if the sets have no
-/// equilibrium or an effect has no value. Loads, preload and temperatures of a row come from
-/// BalancedRows. Throws std::invalid_argument for a model without a shaft, and like
-/// add_expansion().
+/// plus the contributions of effects on the transducer reading. The value of a row is NaN if the
+/// sets have no equilibrium or an effect gives no finite value. BalancedRows defines the load,
+/// preload and temperatures of a row. Throws std::invalid_argument like BalancedRows.
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
 
-/// Returns a note on rows at standstill under different loads. Displacement is measured from
-/// standstill under the same load, so the model predicts 0 for these rows, whatever the readings
-/// are. The text is empty if there are no such rows.
+/// Returns a note if the record has rows at standstill under different loads. Displacement is
+/// measured from standstill under the same load, so the model predicts 0 for these rows, whatever
+/// the readings are. The text is empty if the record has no such rows.
 [[nodiscard]] std::string note_on_standstill(const record::Record& record);
 
 }  // namespace raceway::shaft

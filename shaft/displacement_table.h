@@ -7,26 +7,26 @@
 
 namespace raceway::shaft {
 
-/// Displacement curve as a table, for shapes that the kinematic law cannot follow: points and the
-/// slopes of a monotone cubic through them.
+/// Table of a displacement curve, for shapes that the kinematic law cannot follow. A piecewise
+/// cubic passes through the points and is monotone between neighbouring points.
 struct DisplacementTable {
   std::vector<double> speed;         ///< increasing [rad/s]
-  std::vector<double> displacement;  ///< [m]
+  std::vector<double> displacement;  ///< displacement at each speed [m]
   std::vector<double> slope;         ///< du/dω at the point [m s/rad]
-  /// true if the displacement never changes direction; otherwise it changes direction only at
-  /// points
+  /// True if the displacement only rises or only falls. Otherwise the displacement turns only at
+  /// points of the table.
   bool monotone = false;
 };
 
-/// Makes the table of a curve; rows with the same speed are averaged.
+/// Makes the table of a curve. Points with the same speed are averaged.
 ///
-/// Slopes come from PCHIP [FritschCarlson1980], so the cubic has no turning point between two
-/// points. Throws std::invalid_argument for fewer than four different speeds and for a value that
-/// is not finite.
+/// The slopes come from the PCHIP method [FritschCarlson1980], so the cubic has no turning point
+/// between two points. Throws std::invalid_argument for fewer than four different speeds and for a
+/// value that is not finite.
 [[nodiscard]] DisplacementTable make_displacement_table(std::span<const DisplacementPoint> curve);
 
-/// Evaluates the cubic through the table at a speed [rad/s]. Outside the table, the value of the
-/// nearer end is used with `inside` false, like evaluate() of the law.
+/// Evaluates the cubic through the table at a speed [rad/s]. Outside the table, the function
+/// returns the displacement of the nearer end, slope 0 and `inside` false. A NaN speed gives NaN.
 ///
 ///   u = (1 + 2t)(1 - t)² u0 + t²(3 - 2t) u1 + h (t(1 - t)² m0 - t²(1 - t) m1),  t = (ω - ω0)/h
 [[nodiscard]] KinematicDisplacement evaluate(const DisplacementTable& table, double speed);

@@ -12,18 +12,19 @@ namespace raceway::shaft {
 ///
 ///   u = A n^(1 - B exp(-C n))
 ///
-/// Dimensional as published: u [um], n [rpm], A [um], B [1], C [1/rpm]; KinematicLaw converts.
+/// The formula uses the published units: u [um], n [rpm], A [um], B [1], C [1/rpm]. evaluate() uses
+/// SI units.
 /// Source:   [Brecher2021, eq. 10], with A = 1.28e-3, B = 0.697, C = 5.3e-4: 12.396 um at
 ///           10 000 rpm.
 /// Domain:   n >= 0, B <= 1; at standstill u = 0 for B < 1.
 /// Accuracy: rounding. For the quality of the law as a model of a shaft, see docs/kinematic-law.md.
 /// Traps:    n is in rpm. Another unit of n changes A by a factor that depends on n, so the three
 ///           parameters cannot be converted to rad/s or 1/s. The exponent rises from 1 - B at
-///           standstill to 1, not to 0 (nor to 2, as for centrifugal forces). At high speed u
+///           standstill to 1: not to 0, and not to 2 as for centrifugal forces. At high speed u
 ///           becomes A n. The slope at standstill is infinite for 0 < B < 1. The published curve
 ///           has inflection points at 111.28 and 5691.27 rpm (u'' = 0). The slope is smallest at
-///           111 rpm and largest at 5691 rpm. A multiplies a power of a large number, so its digits
-///           are as important as the digits of B.
+///           111 rpm and largest at 5691 rpm. A multiplies a power of a large number, so the digits
+///           of A are as important as the digits of B.
 template <typename T>
 T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C) {
   using std::exp;
@@ -31,15 +32,15 @@ T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C
   return A * exp((1.0 - B * exp(-C * speed_rpm)) * std::log(speed_rpm));
 }
 
-/// Result of a law at one speed.
+/// Displacement of a shaft at one speed, from a law or a table.
 struct KinematicDisplacement {
   double displacement;  ///< position of the shaft relative to standstill, positive towards the tool
                         ///< [m]
-  double slope;         ///< du/dω, slope over angular speed [m s/rad]
+  double slope;         ///< du/dω, derivative with respect to the angular speed [m s/rad]
   bool inside;          ///< false: the speed is outside the range of the law, see evaluate()
 };
 
-/// The law with its parameters and the range of speeds of its fit.
+/// Parameters of the kinematic law, and the range of speeds to which it was fitted.
 struct KinematicLaw {
   double A = std::numeric_limits<double>::quiet_NaN();  ///< [um], the displacement at 1 rpm
   double B = std::numeric_limits<double>::quiet_NaN();  ///< [1]
@@ -52,10 +53,10 @@ struct KinematicLaw {
 ///
 ///   du/dn = u/n (1 - B exp(-C n) (1 - C n ln n))
 ///
-/// Domain:   lowest_speed <= speed <= highest_speed. Outside this range, the law does not
+/// Domain:   lowest_speed <= speed <= highest_speed. Outside this range, the function does not
 ///           extrapolate. The function returns the displacement of the nearer end with slope zero
 ///           and `inside` false, so a control loop sees neither a step nor a NaN. A NaN speed gives
-///           NaN.
+///           a NaN displacement.
 /// Traps:    the slope at standstill is infinite for 0 < B < 1.
 inline KinematicDisplacement evaluate(const KinematicLaw& law, double speed) {
   constexpr double rpm = 3.14159265358979323846 / 30.0, um = 1e-6;

@@ -4,8 +4,8 @@
 
 namespace raceway::shaft {
 
-/// Subject for sets on a shaft with measured friction torque: the sum over all bearings, each in
-/// the equilibrium of the sets.
+/// Fit subject for a shaft with measured friction torque. The torque is the sum over all bearings,
+/// each in the equilibrium of the sets.
 class SetTorqueSubject final : public ShaftSubject {
  public:
   /// Throws std::invalid_argument for a model without a shaft.
@@ -17,12 +17,13 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the saturated regression of a torque. The load input of the regression is the ratio of
-  /// external load to preload.
+  /// Returns the columns of the saturated regression for a torque. The load input of the regression
+  /// is the ratio of external load to preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns speed, load (root of the sum of squares of preload and external load) and viscosity.
+  /// Returns the factors of each row: speed, load and viscosity. The load is the root of the sum of
+  /// squares of preload and external load.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns an empty text: the sign of a torque is not in doubt, and files::doubts() checks the
   /// unit.
@@ -30,7 +31,7 @@ class SetTorqueSubject final : public ShaftSubject {
                                   std::span<const double> predicted) const override;
   /// Returns the other friction laws as base models.
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Returns measurements that distinguish the rivals from each other.
+  /// Returns measurements that distinguish the rival explanations.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;
@@ -39,8 +40,8 @@ class SetTorqueSubject final : public ShaftSubject {
   SetTorqueSubject(const model::Model& model, std::vector<std::string> waiting);
   [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
                                                    std::vector<std::string> waiting) const override;
-  /// Returns the default free parameters of the law. If the record has only one load, the load
-  /// factor of the law can hardly be separated from the preload.
+  /// Returns the default free parameters of the law. If the record has only one load, a fit can
+  /// hardly separate the load factor of the law from the preload.
   [[nodiscard]] std::vector<std::string> usual_free() const override;
 };
 

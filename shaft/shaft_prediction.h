@@ -19,21 +19,21 @@ struct ShaftPoint {
 };
 
 /// Result for a shaft at one point: its position, and the friction of every bearing under its load
-/// in the sets. Values are NaN if the sets have no equilibrium; `equilibrium.report` gives the
-/// reason.
+/// in the sets. If the sets have no equilibrium, the values are NaN and the lists are empty;
+/// `equilibrium.report` gives the reason.
 struct ShaftPrediction {
   bearing::ArrangementEquilibrium equilibrium;
-  /// Shaft position relative to standstill with the same external load, as mounted and at the
-  /// mounting temperature, positive towards the tool [m].
+  /// Shaft position minus the position of the mounted shaft at standstill and mounting temperature,
+  /// under the same external load; positive towards the tool [m].
   double displacement = unset;
   std::vector<model::FrictionPrediction> friction;  ///< friction of each bearing, front set first
-  std::vector<friction::HeatSplit> heat;            ///< heat of each bearing
-  double torque = unset;                            ///< sum over all bearings [N m]
-  double power_loss = unset;                        ///< torque times speed [W]
+  std::vector<friction::HeatSplit> heat;  ///< heat of each bearing, split between its rings
+  double torque = unset;                  ///< friction torque, summed over all bearings [N m]
+  double power_loss = unset;              ///< torque times speed [W]
 
-  /// Returns the status of the point for every command: the status of the equilibrium of the sets.
-  /// A converged equilibrium with position, torques or losses that are not finite gives
-  /// `not_finite`.
+  /// Returns the status that all commands report for this point: the status of the equilibrium of
+  /// the sets. The status is `not_finite` if the equilibrium converged but a position, torque or
+  /// loss is not finite.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
@@ -41,10 +41,10 @@ struct ShaftPrediction {
 /// last converged point.
 ///
 /// Effects that change the condition of a bearing enter the equilibrium of the sets (see
-/// ShaftBalance). SetFriction gives the friction of each bearing. The position does not include
-/// effects on the reading of a transducer, and the torque does not include effects on the reading
-/// of a torque sensor. predict_displacement() and predict_torque() add these effects. Throws
-/// std::invalid_argument for a model without a shaft and for points that are not finite.
+/// ShaftBalance). SetFriction gives the friction of each bearing. Position and torque do not
+/// include effects on sensor readings. predict_displacement() and predict_torque() add these
+/// effects. Throws std::invalid_argument for a model without a shaft and for points that are not
+/// finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 

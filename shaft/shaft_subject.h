@@ -4,7 +4,7 @@
 
 namespace raceway::shaft {
 
-/// Subject for sets on a shaft with measured axial displacement. For measured torque, see
+/// Fit subject for a shaft with measured axial displacement. For measured torque, see
 /// SetTorqueSubject.
 class ShaftSubject : public model::ModelSubject {
  public:
@@ -20,19 +20,19 @@ class ShaftSubject : public model::ModelSubject {
   /// Returns the saturated regression of the base class, with the levels of speed, axial load and
   /// preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns speed, preload and viscosity.
+  /// Returns the factors of each row: speed, preload (0 if not recorded) and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Reports a displacement that is more than 200 times too small or too large, which suggests a
-  /// wrong unit, or that has the opposite sign.
+  /// Returns a message if the measured displacement is more than 200 times larger or smaller than
+  /// the prediction, or has the opposite sign; otherwise an empty text.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the axes for next measurements. If the preload does not vary in the record, the axes
-  /// include other preloads.
+  /// Returns inputs and levels for the next measurements. If the preload does not vary in the
+  /// record, the levels include half and twice this preload.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Returns the measurements that separate heat from speed: ring temperatures, and runs with
-  /// rising and falling speed. Adds the inspection sheet of the bearings if bearing data are among
-  /// the rivals.
+  /// Returns measurements that distinguish the rival explanations: ring temperatures, and runs with
+  /// rising and falling speed, separate heat from speed. Adds the inspection sheet of the bearings
+  /// if a bearing dimension is a rival.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

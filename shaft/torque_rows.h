@@ -9,7 +9,7 @@
 namespace raceway::shaft {
 
 /// Predicts the friction torque of the sets on a shaft at the rows of a record, repeatedly with
-/// different parameters of one model. BalancedRows gives the equilibrium and SetFriction the
+/// different parameters of one model. BalancedRows finds the equilibrium, and SetFriction gives the
 /// friction.
 class TorqueRows {
  public:
@@ -17,11 +17,11 @@ class TorqueRows {
   TorqueRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  /// Returns the steps of the model and of the torque reading.
+  /// Returns the calculation steps of the model, including effects on the torque reading.
   [[nodiscard]] const Steps& steps() const { return steps_; }
-  /// Writes the readings of all rows [N m], like predict_torque(). `model` has the effects and
-  /// temperatures of the previous model. The other parameters of `model` may differ, except
-  /// parameters that act before the stage `from`.
+  /// Writes the torque at every row to `readings` [N m], like predict_torque(). `model` must have
+  /// the effects and temperatures of the model in the constructor. Parameters that act before the
+  /// stage `from` must have the values of the previous call; other parameters may differ.
   void predict(const Model& model, std::span<double> readings,
                model::Stage from = model::Stage::entry);
 
@@ -41,9 +41,10 @@ class TorqueRows {
 };
 
 /// Returns the friction torque of the sets on a shaft at the rows of a record [N m]: the sum over
-/// all bearings in their equilibrium, plus the contributions of effects on the reading. The value
-/// of a row is NaN if the sets have no equilibrium or an effect has no value. Loads, preload and
-/// temperatures of a row come from BalancedRows. Throws std::invalid_argument like BalancedRows.
+/// all bearings in their equilibrium, plus the contributions of effects on the torque reading. The
+/// value of a row is NaN if the sets have no equilibrium or an effect gives no finite value.
+/// BalancedRows defines the load, preload and temperatures of a row. Throws std::invalid_argument
+/// like BalancedRows.
 [[nodiscard]] std::vector<double> predict_torque(const Model& model, const record::Record& record);
 
 }  // namespace raceway::shaft

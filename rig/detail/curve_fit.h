@@ -11,7 +11,7 @@ struct CurveFit {
   Eigen::MatrixXd columns{};       ///< (x/scale)^k
   Eigen::VectorXd coefficients{};  ///< coefficients c_k of the scaled powers
   Eigen::VectorXd residuals{};     ///< reading minus polynomial
-  Eigen::VectorXd free{};          ///< 1 minus the leverage of a reading, never 0 here
+  Eigen::VectorXd free{};          ///< 1 minus the leverage of each reading, above 0
   Eigen::MatrixXd inverse{};       ///< (XᵀX)⁻¹
   double square = 0.0;             ///< sum of squares of the residuals
 
@@ -23,16 +23,17 @@ struct CurveFit {
   [[nodiscard]] Eigen::VectorXd unscaled() const;
 };
 
-/// Fits by QR with one step of refinement. There must be more readings than coefficients, and x
-/// must have at least as many different values as coefficients.
+/// Fits the polynomial by QR decomposition with one step of iterative refinement. There must be
+/// more readings than coefficients, and x must have at least as many different values as
+/// coefficients.
 [[nodiscard]] CurveFit fit_curve(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degree);
 
-/// Returns the covariance of the scaled coefficients. It is valid for any scatter of the readings
-/// [MacKinnon1985, HC3].
+/// Returns the covariance of the scaled coefficients. The covariance is valid even if the scatter
+/// differs between readings [MacKinnon1985, HC3].
 [[nodiscard]] Eigen::MatrixXd robust_covariance(const CurveFit& fit);
 
-/// Returns the p-value of F = (square/degrees) / (error_square/error_degrees). Squares up to
-/// `floor` are treated as rounding.
+/// Returns the p-value of F = (square/degrees) / (error_square/error_degrees). Sums of squares up
+/// to `floor` are treated as rounding errors.
 [[nodiscard]] double p_of_F(double square, int degrees, double error_square, int error_degrees,
                             double floor);
 

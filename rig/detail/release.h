@@ -13,13 +13,13 @@ namespace raceway::rig {
 struct ReleaseOptions {
   std::size_t fewest = 7;    ///< smallest number of samples in a window
   std::size_t windows = 40;  ///< windows of a run that give the estimate of the noise
-  /// largest fall of the speed within a window, relative to its start [1]
+  /// largest fall of the speed within a window, relative to the speed at its start [1]
   double largest_fall = 0.25;
 };
 
-/// Divides a run each time the shaft is driven up again. Each part begins at the lowest speed
-/// before a rise by more than a tenth of the highest speed of the run; noise does not reach this
-/// size.
+/// Divides a run into starts: a new start begins each time the shaft is driven up again. Each start
+/// begins at the lowest speed before a rise by more than a tenth of the highest speed of the run;
+/// noise does not cause such a rise.
 [[nodiscard]] std::vector<std::span<const Block>> starts(std::span<const Block> samples);
 
 /// Returns the number of samples of one start up to and including the release; 0 if the record
@@ -27,26 +27,26 @@ struct ReleaseOptions {
 ///
 /// The release is a kink of ω(t). Friction of a free shaft depends on its speed, so dω/dt does not
 /// jump, but the torque of a drive ends abruptly. At every sample, two least-squares models are
-/// compared. They use the samples before it (4 or more) and after it (`fewest` or more) within a
-/// speed change of `largest_fall`:
+/// compared. Both models use the samples before (4 or more) and after this sample (`fewest` or
+/// more), within a speed change of `largest_fall`:
 ///
 ///   released   a line before, a separate parabola after: 5 parameters
 ///   free       one polynomial of degree five: 6 parameters
 ///
-/// The sample is a release under two conditions. The sum of squares of the first model is smaller
-/// by more than 40 times the variance of a sample. The slope before the sample is, within two
-/// standard deviations, at most a tenth of the slope after it. The variance comes from the part of
-/// the run in which the shaft certainly coasts, times (1 + r)/(1 - r) if neighbours are correlated
-/// by r. If the first model has a larger residual, for example because the speed control of the
-/// drive oscillates, the variance of this residual is used. The search is repeated on the remaining
-/// samples, so run-up and plateau may have any shape.
+/// The sample is a release under two conditions. The sum of squares of the model `released` is
+/// smaller by more than 40 times the variance of a sample. The slope before the sample is, within
+/// two standard deviations, at most a tenth of the slope after the sample. The variance comes from
+/// the part of the run in which the shaft certainly coasts, times (1 + r)/(1 - r) if neighbours are
+/// correlated by r. If the model `released` has a larger residual, for example because the speed
+/// control of the drive oscillates, the variance of this residual is used. The search is repeated
+/// on the remaining samples, so run-up and plateau may have any shape.
 ///
 /// Domain:   a fall that begins slowly is not treated as a plateau, because it has no kink. The
 ///           release is within `largest_fall` of the highest speed. A brake, a seal or boundary
 ///           friction at lower speed is not treated as a release. A plateau hidden by noise is
-///           kept; it shifts the first torques by at most a few standard deviations. Records with
-///           more than 1000 samples are averaged first. Then up to three thousandths of the samples
-///           after the release are also excluded.
+///           kept. Such a plateau shifts the first torques by at most a few standard deviations.
+///           Records with more than 1000 samples are averaged first. Then up to three thousandths
+///           of the samples after the release are also excluded.
 [[nodiscard]] std::size_t samples_before_release(std::span<const Block> samples,
                                                  const ReleaseOptions& options);
 

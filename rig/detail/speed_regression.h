@@ -23,7 +23,7 @@ struct Block {
   double time = 0.0;                         ///< [s]
   double speed = 0.0;                        ///< [rad/s]
   std::size_t row = 0;                       ///< middle row of the block in the record
-  std::array<double, input_count> inputs{};  ///< [SI]
+  std::array<double, input_count> inputs{};  ///< mean of each input [SI]; NaN if not recorded
 };
 
 /// Least-squares parabola through consecutive blocks, about their mean time.
@@ -44,28 +44,30 @@ struct SpeedNoise {
 
 [[nodiscard]] LocalParabola local_parabola(std::span<const Block> blocks);
 
-/// Marks samples far from a robust local parabola. The run is divided into parts of about `length`
-/// samples. The limit is relative to the standard deviation of a part, or to the median over all
-/// parts if this is larger, because a short part can have a small standard deviation by chance.
+/// Returns true for samples far from a robust local parabola. The run is divided into parts of
+/// about `length` samples. The limit is relative to the standard deviation of a part, or to the
+/// median over all parts if this is larger, because a short part can have a small standard
+/// deviation by chance.
 [[nodiscard]] std::vector<bool> find_outliers(std::span<const Block> samples, std::size_t length);
 
 /// Returns means of about `length` samples each.
 [[nodiscard]] std::vector<Block> averaged(std::span<const Block> samples, std::size_t length);
 
-/// Divides the samples at gaps of more than `limit` usual spacings. The spacing may drift (samples
-/// per revolution), so each spacing is compared with its neighbours.
+/// Divides the samples at gaps longer than `limit` usual sampling intervals. The interval may
+/// change slowly (samples per revolution), so each interval is compared with neighbouring
+/// intervals.
 [[nodiscard]] std::vector<std::span<const Block>> segments(std::span<const Block> samples,
                                                            double limit);
 
 /// Divides a segment into windows of `fewest` to `most` blocks, in which the speed falls by at most
-/// `largest_fall`. A remainder that is too short joins the last window.
+/// `largest_fall`. A remainder that is too short is added to the last window.
 [[nodiscard]] std::vector<std::span<const Block>> windows(std::span<const Block> segment,
                                                           std::size_t fewest, std::size_t most,
                                                           double largest_fall);
 
 [[nodiscard]] SpeedNoise speed_noise(const std::vector<LocalParabola>& fits);
 
-/// Returns the standard deviation of the slope of a fit for that noise [rad/s²].
+/// Returns the standard deviation of the slope of a fit for this noise [rad/s²].
 [[nodiscard]] double slope_deviation(const LocalParabola& fit, const SpeedNoise& noise);
 
 }  // namespace raceway::rig

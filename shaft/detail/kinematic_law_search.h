@@ -10,7 +10,7 @@
 /// Search for fit_kinematic_law(), in the units of the law (rpm, um).
 namespace raceway::shaft {
 
-/// Rows for the fit, by increasing speed.
+/// Rows for the fit, by increasing speed: n [rpm], ln n, u [um], and weight [1/um] or [1].
 struct LawRows {
   std::vector<double> n, log_n, u, weight;
 };
@@ -19,12 +19,12 @@ struct LawShape {
   double B = unset, C = unset;
 };
 
-/// Closed intervals for B and C; C is above 0.
+/// Bounds of B [1] and C [1/rpm]; the bounds of C are above 0.
 struct LawRange {
   double lower_B, upper_B, lower_C, upper_C;
 };
 
-/// End point of a descent.
+/// Optimum reached by one descent.
 struct LawOptimum {
   double size = unset;  ///< displacement at the highest speed [um]
   LawShape shape;
@@ -33,11 +33,11 @@ struct LawOptimum {
   fit::FitStatus status = fit::FitStatus::failed;
 };
 
-/// Returns the optimum next to a start; A is eliminated.
+/// Returns the optimum that a descent reaches from a start; A is eliminated.
 [[nodiscard]] LawOptimum nearest_optimum(const LawRows& rows, const LawRange& range,
                                          const LawShape& start);
 
-/// Returns the best of the optima next to all minima of a grid.
+/// Returns the best of the optima that descents reach from all minima of a grid of B and C.
 [[nodiscard]] LawOptimum best_optimum(const LawRows& rows, const LawRange& range);
 
 /// Returns the bound at which a value lies, if any.
