@@ -7,12 +7,12 @@
 
 namespace raceway::verdict {
 
-/// Noise of one channel that a diagnosis would assume.
+/// Noise that a diagnosis would assume for one channel.
 struct EstimatedNoise {
   const record::Channel* channel = nullptr;
-  double rms = unset;  ///< rms noise over the readings used [SI]
-  /// Standard deviations by row of the record [SI]. For unused rows, the standard deviation follows
-  /// from the reading.
+  double rms = unset;  ///< RMS noise of the readings that the estimate used [SI]
+  /// Standard deviation of the reading in each row of the record [SI]. For rows that the estimate
+  /// did not use, it is calculated from the reading; NaN without a reading.
   std::vector<double> std;
 };
 
