@@ -54,7 +54,7 @@ struct NoiseModel {
   /// Factor by which the standard deviations of each joined record are multiplied [1]; empty if all
   /// records have the same scatter.
   std::vector<double> records{};
-  double rms = unset;          ///< rms over the readings [SI]
+  double rms = unset;          ///< RMS of all s_i [SI]
   double median_step = unset;  ///< median time between readings; `correlation` refers to it [s]
   /// F statistic and p-value of the test whether repeated readings scatter more than this noise
   /// [1]; NaN below 8 degrees of freedom.
