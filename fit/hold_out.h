@@ -21,7 +21,7 @@ namespace raceway::fit {
                                               const Eigen::VectorXd& measured,
                                               const Eigen::VectorXd& std, const Blocking& blocking);
 
-/// Comparison of the held-out errors of two models, before and after a change, for one blocking.
+/// Hold-out test: comparison of the held-out errors of a model before and after a change.
 struct HoldOut {
   std::string variable;
   std::vector<double> rmse_before{}, rmse_after{};  ///< held-out RMS error of each channel [SI]
@@ -36,13 +36,13 @@ struct HoldOut {
                                        const Eigen::VectorXd& std, const Observations& observed,
                                        const Blocking& blocking);
 
-/// Returns the RMS over several blockings of the errors in the member `rmse`, for each channel
-/// [SI]; empty without blockings.
+/// Returns the RMS of the errors in the member `rmse` over several hold-out tests, for each channel
+/// [SI]; empty without tests.
 [[nodiscard]] std::vector<double> rms_over(const std::vector<HoldOut>& results,
                                            std::vector<double> HoldOut::*rmse);
 
-/// Returns true if the changed model is better in at least two blockings (or in all, if there are
-/// fewer) and significantly worse in none.
+/// Returns true if the changed model is better in at least two hold-out tests (or in all, if there
+/// are fewer) and significantly worse in none.
 [[nodiscard]] bool confirmed(const std::vector<HoldOut>& results);
 
 }  // namespace raceway::fit

@@ -42,7 +42,7 @@ struct Saturation {
 /// effect by a power of this quantity.
 struct Factor {
   std::string name;            ///< name for people: "speed"
-  std::vector<double> values;  ///< value of each row
+  std::vector<double> values;  ///< value in each row
 };
 
 /// Power law that describes a misfit which no effect of the catalogue explains.
@@ -88,13 +88,12 @@ struct Fault {
 /// together.
 struct Blocking {
   std::string variable;      ///< input by which the rows are divided, as in Channel::variable
-  std::vector<int> block{};  ///< block of each row
+  std::vector<int> block{};  ///< index of the block of each row
   int blocks = 0;
   /// Inputs whose change cannot be held out, because it occurs in one part of the record only.
   std::vector<std::string> untold{};
   bool ordered =
-      /// True: blocks are ordered by an input; the first and the last block contain its extremes.
-      false;
+      false;  ///< true: blocks are ordered by an input; the first and last contain its extremes
 };
 
 /// Interface through which a model gives facts about its records: what they lack, how to divide

@@ -23,7 +23,7 @@ namespace raceway::fit {
 /// (Saturation). The misfit of a physical model is never used, because missing physics would then
 /// appear as noise.
 struct NoiseModel {
-  /// Standard deviation relative to the reading, at the largest value of the swept input [1].
+  /// Proportional part of the standard deviation, divided by the reading, at n_max [1].
   double relative = 0.0;
   double growth = 0.0;             ///< p: exponent of the swept input [1]
   const Channel* swept = nullptr;  ///< n; null if no input is swept over a wide range
@@ -39,8 +39,8 @@ struct NoiseModel {
   double state_share = 0.0;           ///< share of the variance from an offset of each dwell [1]
   double degrees_of_freedom = unset;  ///< degrees of freedom of the estimated variance
   Whitening whitening{};
-  /// Whitenings with other values of the parameters above that the readings also allow. A verdict
-  /// must be valid with each of them.
+  /// Whitenings with other noise parameters that the readings also allow. A verdict must be valid
+  /// with each of them.
   std::vector<Whitening> allowed{};
   /// True if the data cannot show offsets of runs, because a setting changes whenever the run
   /// changes.
@@ -119,8 +119,8 @@ struct ChannelReadings {
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
-/// Returns the whitening for other readings of the channel, from the noise that was estimated.
-/// `size` is a typical size of each reading [SI].
+/// Returns the whitening with this noise for other readings of the channel. `size` is a typical
+/// size of each reading [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 

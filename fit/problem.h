@@ -31,7 +31,7 @@ struct Screened {
   std::string not_testable{};  ///< reason why the candidate cannot be tested; empty if it can
 
   [[nodiscard]] const std::string& id() const { return candidate.id; }
-  /// Returns the parameter that is the size of the candidate.
+  /// Returns the parameter that gives the candidate its size.
   [[nodiscard]] const Parameter& size() const { return candidate.parameters[candidate.size]; }
 };
 

@@ -26,7 +26,7 @@ struct Means {
 
 /// Returns the tolerance of a channel [SI]. If none is given, a model that only approximates has a
 /// calculated tolerance: the root of the sum of squares of its declared error and the noise of a
-/// reading. Without a declared error, and for other models, the result is then NaN.
+/// reading. If none can be calculated, the result is NaN.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Returns the means of readings over time intervals of `width` [s]. A mean has rows of one run and
@@ -73,8 +73,8 @@ class Separable {
   /// of the block `left_out` are not used; -1: all means are used.
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values, int left_out = -1,
                                 double ridge = usual_ridge) const;
-  /// Fits all parameters, starting from `start`. Bending parameters that are true in `held` keep
-  /// their start value. `left_out` is as in at().
+  /// Fits all parameters, starting from `start`. A bending parameter whose entry in `held` is true
+  /// keeps its start value. `left_out` is as in at().
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;

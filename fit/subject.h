@@ -36,8 +36,8 @@ struct Measured {
   double std = unset;
   /// Initial state of the simulation, as results name it ("rest"); empty without a simulation.
   std::string_view begins = {};
-  /// True if the residuals remain correlated in time with any effect (see Subject::approximates()).
-  /// Tests against the noise of readings are then meaningless.
+  /// True if the residuals remain correlated in time, even with additional effects (see
+  /// Subject::approximates()). Tests against the noise of readings are then meaningless.
   bool approximate = false;
   /// True if the zero of the readings is arbitrary. The mean error is then subtracted from the
   /// errors.
@@ -57,7 +57,7 @@ class Predictor {
   /// get NaN if the model rejects the values.
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
   /// Returns false only if `parameter` never changes the derivative of the readings with respect to
-  /// the linear parameter `of`. If `of` is `none`, the question is for the readings with all linear
+  /// the linear parameter `of`. If `of` is `none`, this applies to the readings with all linear
   /// parameters at zero. `parameter` and `of` are indices of the names given to predictor().
   /// Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
@@ -80,7 +80,7 @@ struct Candidate {
   bool of_the_user = false;     ///< true: a user-defined effect, whose typical size is unknown
   bool empirical = false;       ///< true: a shape that describes the misfit without a physical law
   bool of_each_record = false;  ///< true: a datum that may differ between joined records
-  bool of_time = false;         ///< true: depends on the time of a row
+  bool of_time = false;         ///< true: the effect depends on the time of a row
   /// Allowed values of each parameter, in ascending order. An empty list, or an empty entry for one
   /// parameter, allows all values within its bounds. In a model that only approximates, a parameter
   /// with allowed values is a point, such as the time of a jump, at which the preceding linear
@@ -141,9 +141,9 @@ class Subject : public Judged {
   /// Returns true if a reading depends on earlier rows. Rows are then neither sorted nor left out
   /// before the prediction.
   [[nodiscard]] virtual bool has_memory() const { return false; }
-  /// Returns true if the model only approximates the readings: its residual is always larger than
-  /// the sensor noise and correlated in time, with any effect. The fit gives all rows equal weight,
-  /// and the verdict uses the error on held-out parts of the record.
+  /// Returns true if the model only approximates the readings: even with additional effects, its
+  /// residual is larger than the sensor noise and correlated in time. The fit gives all rows equal
+  /// weight, and the verdict uses the error on held-out parts of the record.
   [[nodiscard]] virtual bool approximates() const { return false; }
   /// Returns true if a prediction is so slow that a fit can use only dozens of predictions, not
   /// thousands. The fit then uses one start, few derivatives, and linearised held-out errors. Only

@@ -52,12 +52,12 @@ struct AddResult {
 /// power law or a base law is accepted or rejected by the same rules as an effect.
 ///
 /// The result is rejected if the fit does not converge, and in five more cases. First: the held-out
-/// error does not fall. It must fall in two of the blockings (Judged::blockings()), or in all if
-/// there are fewer, and must not rise significantly in any. Second: the fall of -2 ln L is so small
-/// that chance could explain it. Third: a tolerance is given, and the held-out errors without the
-/// effects are within the tolerances. Fourth: one of several added effects does not improve the fit
-/// if the others are in the model. Fifth: a single effect leaves a systematic residual, although
-/// another effect leaves only noise.
+/// error does not fall. It must fall in two hold-out tests (Judged::blockings()), or in all if
+/// there are fewer, and must not rise significantly in any. Second: chance could explain the fall
+/// of -2 ln L. Third: a tolerance is given, and the held-out errors without the effects are within
+/// the tolerances. Fourth: one of several added effects does not improve the fit if the others are
+/// in the model. Fifth: a single effect leaves a systematic residual, although another effect
+/// leaves only noise.
 ///
 /// Throws std::invalid_argument if no id is given, for an unknown id (the message gives the nearest
 /// ids), for an effect that the model already has, for an effect whose inputs the data lack (the

@@ -27,7 +27,7 @@ struct Explanation {
   std::vector<Eigen::VectorXd> starts{};
   Gate recheck{};  ///< test of the residuals of `fit` for a further missing effect
   bool rechecked = false;
-  double least_loss = unset;  ///< loss of gain if the weakest of several candidates is removed
+  double least_loss = unset;  ///< loss of gain if the weakest of several candidates is left out
   /// True if the candidate changes the readings by its law times fitted powers of the inputs
   /// (Attribution::elastic()).
   bool elastic = false;
@@ -51,7 +51,7 @@ class Attribution {
   /// standard deviations. The function takes the smallest length over all noise models that the
   /// readings allow.
   [[nodiscard]] Eigen::VectorXd least_lengths() const;
-  /// Returns the length (see least_lengths()) at which the gate detects an effect in 99 of 100
+  /// Returns the length (see least_lengths()) that an effect needs to be detected in 99 of 100
   /// cases.
   [[nodiscard]] double length_found() const;
   /// Returns the largest Gate::visibility of the columns of a candidate [1].

@@ -15,11 +15,11 @@ namespace raceway::verdict {
 /// range is one level.
 struct ErrorRange {
   const record::Channel* channel = nullptr;
-  /// Smallest and largest value in the range [SI], or the index of the run.
+  /// Smallest and largest value of the input in the range [SI]; for a run, its index.
   double from = unset, to = unset;
   std::string run{};  ///< run_id, or name of a record or group; empty for ranges of an input
   int rows = 0;
-  double rmse = unset;  ///< SI
+  double rmse = unset;  ///< RMS error [SI]
   double bias = unset;  ///< mean of prediction minus reading [SI]
 
   [[nodiscard]] bool is_run() const { return channel->role == record::Role::run; }
@@ -27,13 +27,13 @@ struct ErrorRange {
 
 /// Prediction and reading of one row [SI].
 struct RowError {
-  std::size_t row = 0;  ///< index into the record
+  std::size_t row = 0;  ///< row index in the record
   int line = 0;         ///< line number for messages: Record::line()
   double predicted = unset;
   double measured = unset;
   double residual = unset;  ///< prediction minus reading
   double std = unset;       ///< standard deviation of the reading; NaN if unknown
-  double sigmas = unset;    ///< residual over standard deviation [1]
+  double sigmas = unset;    ///< `residual` divided by `std` [1]
 };
 
 /// Result of the test whether the misfit is larger than the noise. The source of the noise
@@ -75,8 +75,9 @@ enum class Judgement {
 /// Comparison of a model with the readings of one channel. Residuals are prediction minus reading.
 struct Comparison {
   const record::Channel* channel = nullptr;
-  int rows = 0;                                                     ///< number of compared rows
-  double rmse = unset, mae = unset, max_abs = unset, bias = unset;  ///< SI
+  int rows = 0;  ///< number of compared rows
+  /// RMS, mean absolute and largest absolute residual; mean residual [SI].
+  double rmse = unset, mae = unset, max_abs = unset, bias = unset;
   /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms, with readings y and predictions ŷ. A
   /// perfect prediction gives 100, and the mean of the readings as prediction gives 0. NaN if all
   /// readings are equal.
@@ -121,8 +122,8 @@ struct Comparison {
 [[nodiscard]] Comparison compare(std::span<const double> predicted, const record::Record& record,
                                  const fit::Measured& measured, int fitted_parameters = 0);
 
-/// Adds the errors of groups of rows to `where`. `group` names the group of each row; an empty name
-/// means no group. `kind` is a channel with Role::run; its words describe the groups.
+/// Adds the errors of groups of rows to Comparison::where. `group` names the group of each row; an
+/// empty name means no group. `kind` is a channel with Role::run; its words describe the groups.
 void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);
 

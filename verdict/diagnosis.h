@@ -44,7 +44,7 @@ struct ChannelDiagnosis {
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
 };
 
-/// Fit of one effect to the data, together with all base parameters.
+/// Fit of the model with one effect added. All free parameters of the model are refitted.
 struct RankedEffect {
   std::string id;
   /// Name of the datum that may be wrong ("the oil card"); empty for an effect.
@@ -59,9 +59,9 @@ struct RankedEffect {
   /// size, with N readings. If the verdict is `several_effects` and includes this effect, this is
   /// the gain of the whole set.
   double gain = unset;
-  fit::Likelihood likelihood{};                 ///< likelihood of the model that `gain` refers to
-  std::vector<double> rmse{};                   ///< error of each channel in sample [SI]
-  std::vector<double> rmse_held_out{};          ///< held-out error of each channel [SI]
+  fit::Likelihood likelihood{};         ///< likelihood of the model that `gain` refers to
+  std::vector<double> rmse{};           ///< RMS error of each channel on the rows of the fit [SI]
+  std::vector<double> rmse_held_out{};  ///< held-out RMS error of each channel [SI]
   std::vector<record::Parameter> parameters{};  ///< parameters of the effect, named without its id
   std::size_t size = 0;  ///< index of the parameter that gives the effect its size
   /// Free parameters of the model: `start` is the value fitted without the effect, `value` the
@@ -71,7 +71,7 @@ struct RankedEffect {
   /// Ids of the other candidates (effects or wrong data) that change these data in nearly the same
   /// way, or that replace this candidate in another set of the verdict.
   std::vector<std::string> indistinguishable_from{};
-  /// p-value of the gate (verdict/gate.h) with this effect in the model; NaN if not tested
+  /// p-value of the test for a further missing effect (verdict/gate.h); NaN if not tested
   double remaining_p_value = unset;
 
   /// Returns the id without the place where the effect acts. If the id names a column
@@ -85,7 +85,7 @@ struct RankedEffect {
 struct SetFit {
   double gain = unset;  ///< gain of the whole set; see RankedEffect::gain
   fit::Likelihood likelihood{};
-  std::vector<double> rmse{};  ///< error of each channel in sample [SI]
+  std::vector<double> rmse{};  ///< RMS error of each channel on the rows of the fit [SI]
 };
 
 /// Correlation matrix of fitted parameters; NaN for a parameter at its bound.
@@ -104,9 +104,9 @@ struct EffectShare {
 /// Readings that the model predicts with a set of effects, and the contribution of each effect. The
 /// order of the readings is as in EffectShare.
 struct ExplainedReadings {
-  /// Prediction with the effects on and the base parameters refitted [SI].
+  /// Prediction with the effects in the model and its free parameters refitted [SI].
   std::vector<double> total{};
-  std::vector<double> base{};  ///< prediction of this model with the effects switched off [SI]
+  std::vector<double> base{};  ///< prediction of the same model with the effects switched off [SI]
   /// For each effect, `total` minus the prediction without this effect.
   std::vector<EffectShare> effects{};
 };
@@ -116,8 +116,9 @@ struct DetectableSize {
   std::string id;
   std::string parameter;
   std::string unit;
-  double size = unset;              ///< smallest detectable value of `parameter`, in `unit`
-  double share_of_reading = unset;  ///< rms of the effect at this size over rms of the readings [1]
+  double size = unset;  ///< smallest detectable value of `parameter`, in `unit`
+  /// RMS of its contribution at this size, divided by the RMS of the readings [1].
+  double share_of_reading = unset;
   std::string most_alike{};  ///< effect that is hardest to separate from this effect; may be empty
   /// Value of `parameter` above which the data separate the effect from `most_alike`; NaN if no
   /// allowed value is large enough.
@@ -158,10 +159,11 @@ struct OtherBaseTried {
   /// free parameter.
   double gain = unset;
   fit::Likelihood likelihood{};
-  std::vector<double> rmse{};           ///< error of each channel in sample [SI]
-  std::vector<double> rmse_held_out{};  ///< held-out error of each channel [SI]
+  std::vector<double> rmse{};           ///< RMS error of each channel on the rows of the fit [SI]
+  std::vector<double> rmse_held_out{};  ///< held-out RMS error of each channel [SI]
   std::vector<record::Parameter> parameters{};
-  /// P-value of the gate (verdict/gate.h) with this base model; NaN if not tested.
+  /// P-value of the test for a missing effect (verdict/gate.h) in this base model; NaN if not
+  /// tested.
   double remaining_p_value = unset;
   bool explains = false;     ///< true if the data show no missing effect in this base model
   bool fitted_form = false;  ///< true if the fit also finds exponents of this base law
@@ -172,12 +174,13 @@ struct Diagnosis {
   std::string headline;                    ///< verdict in one short line
   std::string sentence;                    ///< verdict with the numbers that support it
   std::vector<ChannelDiagnosis> channels;  ///< channels, in the order of Subject::measured()
-  /// P-value of the gate: probability of such a misfit if no effect is missing.
+  /// P-value of the test for a missing effect (verdict/gate.h): probability of such a misfit if no
+  /// effect is missing.
   double p_value = unset;
-  /// P-value of the gate with the effects of the verdict in the model.
+  /// P-value of the same test with the effects of the verdict in the model.
   double remaining_p_value = unset;
   std::vector<RankedEffect>
-      effects;  ///< effects of the verdict first, starting with the best set; the others by rank
+      effects;  ///< effects of the verdict, beginning with the best set, then other effects by rank
   std::vector<std::vector<std::string>>
       sets;  ///< sets of effects whose gain is close to the best, best first
   /// One fit for each of `sets`; empty if the model only approximates the readings.
@@ -199,7 +202,7 @@ struct Diagnosis {
   /// Groups of effects that change these readings in nearly the same way (|cos| > 0.98).
   std::vector<std::vector<std::string>> aliases;
   std::vector<SuggestedMeasurement> suggested_measurements;
-  /// Settings available for a measurement, in the order of a suggested point.
+  /// Inputs that can be set for a measurement, in the order of SuggestedMeasurement::point.
   std::vector<fit::Axis> axes;
   double predicted_separation = unset, separation_by_repetition = unset;
   /// Further quantities to record that would separate the effects.

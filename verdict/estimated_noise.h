@@ -16,10 +16,10 @@ struct EstimatedNoise {
   std::vector<double> std;
 };
 
-/// Estimates the noise (NoiseModel) of each channel of a diagnosis, for data without declared noise
-/// and without repeats. The estimate comes from the residual of a regression on smooth surfaces and
-/// all candidates, not from the misfit of the model. The result is empty if the data do not support
-/// a diagnosis, and for a model that only approximates the readings.
+/// Estimates the noise of each channel as a diagnosis does (fit::NoiseModel), for data without
+/// declared noise and without repeats. The estimate comes from the residuals of a regression on
+/// smooth functions and all candidates, not from the misfit of the model. The result is empty if a
+/// diagnosis of these data is impossible, and for a model that only approximates the readings.
 [[nodiscard]] std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(
     const fit::Subject& subject, const record::Record& record);
 

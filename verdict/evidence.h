@@ -17,7 +17,7 @@ constexpr int most_rows_of_a_fit = 4000;
 struct Evidence {
   fit::Problem problem{};
   fit::Saturation saturation{};
-  /// Free parameters that change no reading; they are not parameters of the base model.
+  /// Names of free parameters that change no reading; they are not fitted.
   std::vector<std::string> idle{};
   Eigen::VectorXd size{};                ///< typical size of each reading [SI], from the prediction
   std::vector<fit::NoiseModel> noise{};  ///< noise of each measured channel
@@ -46,7 +46,7 @@ struct EvidenceOptions {
   int most_rows = most_rows_of_a_fit;
   fit::NoiseOptions noise{};
   bool screened = true;               ///< false if only the noise and the base model are needed
-  std::function<bool()> cancelled{};  ///< returns true to cancel the work; see Problem
+  std::function<bool()> cancelled{};  ///< cancels the work if it returns true; see fit::Problem
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model. The

@@ -25,10 +25,10 @@ struct MisfitCell {
 /// there is one, otherwise another input such as a temperature, otherwise the run. An axis whose
 /// input does not vary has one range with all rows. The map is empty if no input is swept.
 ///
-/// standard error of the mean of m rows = sqrt(Σ s_i²) / m,   s_i: standard deviation of reading i
+///   standard error of the mean of m rows = sqrt(Σ s_i²) / m
 ///
-/// This formula assumes independent rows. With drifting noise, cells look more significant than
-/// they are.
+/// s_i is the standard deviation of reading i. This formula assumes independent rows. With drifting
+/// noise, cells look more significant than they are.
 struct MisfitMap {
   const record::Channel* across_channel = nullptr;
   const record::Channel* up_channel = nullptr;  ///< null if the record has no other input

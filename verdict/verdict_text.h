@@ -37,7 +37,8 @@ namespace raceway::verdict {
 /// Returns a text with up to three suggested measurements, their predicted separation, and further
 /// quantities to record. The text is empty if there are no suggestions.
 [[nodiscard]] std::string measure_text(const Diagnosis& d);
-/// Describes the two rows of `hidden`, which have nearly equal inputs and different readings.
+/// Returns a text about the two rows of `hidden`, which have nearly equal inputs and different
+/// readings.
 [[nodiscard]] std::string difference_text(const record::Record& record, const HiddenInput& hidden);
 
 }  // namespace raceway::verdict
