@@ -71,8 +71,8 @@ struct Axis {
   bool told = true;  ///< true: sentences name the value; false: only the results contain it
 };
 
-/// Fault of the measurement that the record shows without a model, such as a coarse resolution. No
-/// value of a model parameter corrects it.
+/// Fault of the measurement that the record itself shows, such as a coarse resolution. No parameter
+/// of the model corrects it.
 struct Fault {
   std::string id;  ///< id in Subject::catalogue()
   /// True: the record proves the fault; false: the fault is reported only if it explains the
@@ -96,9 +96,9 @@ struct Blocking {
       false;  ///< true: blocks are ordered by an input; the first and last contain its extremes
 };
 
-/// Interface through which a model gives facts about its records: what they lack, how to divide
-/// them into blocks, which points can be measured next. All row indices refer to the argument
-/// `record`. Every function has a default implementation.
+/// Interface through which a model describes its records: missing inputs, blocks for hold-out
+/// tests, possible next measurements. Row indices refer to the argument `record`. Every function
+/// has a default implementation.
 class Judged {
  public:
   virtual ~Judged() = default;

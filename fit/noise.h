@@ -30,10 +30,9 @@ struct Noise {
 };
 
 /// Returns the noise of a measured channel. If every reading has a standard deviation, the noise is
-/// the RMS of these standard deviations. Otherwise it is the scatter within repeated rows, if this
-/// scatter is not zero and has at least 3 degrees of freedom. In all other cases, the noise is
-/// unknown. The misfit of a model is never used, because missing physics would then appear as
-/// noise.
+/// the RMS of these standard deviations. Otherwise it is the scatter within repeated rows, or
+/// unknown if this scatter is zero or has fewer than 3 degrees of freedom. The misfit of a model is
+/// never used, because missing physics would then appear as noise.
 [[nodiscard]] Noise estimate_noise(const record::Record& record, const record::Channel& measured);
 
 /// Readings of one stop of the machine, for example from several approaches of a probe.

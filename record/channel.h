@@ -20,11 +20,11 @@ enum class Role {
   time,
   run,   ///< index of the run of a row
   part,  ///< index of the original record of a row, if the record was joined from several
-  kept   ///< recorded, but the program does not know the name and cannot use the values in a model
+  kept   ///< recorded under a name that the program does not know; no model uses it
 };
 
-/// Quantity that a column of a record can contain. All code that reads, shows or sorts columns uses
-/// this description. For this code, a new quantity needs only one entry in the table `channels`.
+/// Quantity that a column of a record can contain. Code that reads, shows or sorts columns uses
+/// only this description.
 struct Channel {
   std::string_view name;             ///< name of the column with its unit at the end: "speed_rpm"
   std::string_view variable = name;  ///< name without unit, as in results: "speed"
@@ -34,12 +34,12 @@ struct Channel {
   double offset = 0.0;
   double lower = 0.0, upper = 0.0;  ///< lowest and highest allowed value, in the unit of the column
   Role role = Role::setting;
-  /// Largest difference between neighbouring values of one level. If `ratio` is true, the step is a
-  /// share of the largest value in the column [1]. Otherwise, the step is in SI units.
+  /// Largest difference between neighbouring values of one level: in SI units, or relative to the
+  /// largest value [1] if `ratio` is true.
   double step = 0.0;
   bool ratio = false;  ///< true: `step` is relative to the largest value
-  /// Kind of quantity, such as "load". The search for repeated rows compares a difference in one
-  /// channel with the largest value of all channels of this kind.
+  /// Kind of quantity, such as "load". In find_repeats(), tolerances are relative to the largest
+  /// value of all channels of one kind.
   std::string_view kind = {};
   /// Text that the program prints after a value: "rpm", "N axial load".
   std::string_view place = {};
@@ -63,8 +63,7 @@ struct Channel {
 
 inline constexpr double endless = std::numeric_limits<double>::max();
 
-/// All quantities with a fixed name. The first entry is the speed, the setting that most records
-/// sweep.
+/// All quantities with a fixed name. The first is the speed, which most records sweep.
 inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .variable = "speed",
                                              .words = "speed",
@@ -206,8 +205,8 @@ inline constexpr const Channel& axial_displacement = *find_channel("axial_displa
 inline constexpr const Channel& torque_deviation = *find_channel("std_Nmm");
 inline constexpr const Channel& displacement_deviation = *find_channel("std_um");
 
-/// Index of the original record of each row, if joined() made the record from several records.
-/// Files do not have this column.
+/// Index of the original record of each row in a record from joined(). Files do not have this
+/// column.
 inline constexpr Channel part{.name = "record", .words = "record", .role = Role::part, .step = 0.5};
 
 }  // namespace raceway::record

@@ -20,8 +20,8 @@ struct FormulaError : std::invalid_argument {
 /// may evaluate one formula at the same time.
 class Expression {
  public:
-  /// Reads the formula `text`, which may use the variables `names`. Throws FormulaError for an
-  /// invalid formula and for any other variable.
+  /// `names` are the variables that the formula may use. Throws FormulaError for an invalid formula
+  /// and for any other variable.
   Expression(std::string text, std::vector<std::string> names);
   ~Expression();
 

@@ -8,8 +8,8 @@
 
 namespace raceway::record {
 
-/// Description of a parameter of a law or an effect. All values are in the unit `unit`, which the
-/// model files also use.
+/// Description of a parameter of a law or an effect. All values are in `unit`, the unit of the
+/// model files.
 struct NumberCard {
   std::string_view name;
   std::string_view unit;                                    ///< "1" if dimensionless
@@ -37,7 +37,7 @@ struct Prior {
   [[nodiscard]] bool is_known() const { return std > 0.0; }
 };
 
-/// Parameter of a model before and after a fit. All values are in the unit `unit`.
+/// Parameter of a model before and after a fit. All values are in `unit`.
 struct Parameter {
   std::string name;  ///< readable name: "f0", "my-effect.c"
   std::string unit;  ///< "1" if dimensionless
@@ -52,9 +52,8 @@ struct Parameter {
   /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
   /// the effect.
   double neutral = unset;
-  /// True if the predicted readings are a linear function of this parameter while all other
-  /// parameters are fixed. The predicted readings are also a joint linear function of all such
-  /// parameters.
+  /// True if the predicted readings are linear in this parameter while all others are fixed. They
+  /// are then also linear in all such parameters together.
   bool proportional = false;
   double scale = 1.0;  ///< typical size, > 0
   /// Standard error; NaN at a bound, or if the data do not determine the parameter.

@@ -15,7 +15,7 @@ struct Column {
   const Channel* channel = nullptr;
   std::vector<double> values;  ///< value in each row [SI]; NaN if the row has no value
   /// True if the column contains standard deviations from a regression over many more samples than
-  /// rows. The program then treats the standard deviations as exact.
+  /// rows. They are then treated as exact.
   bool known = false;
 };
 
@@ -36,8 +36,8 @@ enum class SettingsHold {
   until_row,  ///< valid from the previous row to its own row
 };
 
-/// Table of measured values: each column is a quantity, each row a point in time or an operating
-/// point. Code refers to a row by its index; line numbers of the file are only for messages.
+/// Measured data: a column for each quantity, a row for each time or operating point. Rows are
+/// identified by their index; line numbers of the file are only for messages.
 struct Record {
   std::string source{};           ///< file name, for messages
   std::vector<Column> columns{};  ///< columns of equal length
@@ -45,8 +45,7 @@ struct Record {
   std::vector<std::string> runs{};
   std::vector<int> lines{};   ///< line of each row in the file; empty if there is no file
   std::vector<Note> notes{};  ///< notes of the file reader for the user
-  /// True if the readings are known only up to one common factor, as for a coast-down with unknown
-  /// inertia.
+  /// True if the readings have an unknown common factor, as for a coast-down with unknown inertia.
   bool up_to_a_factor = false;
   /// Interval in which a setting is valid; used only in time records.
   SettingsHold settings_hold = SettingsHold::sampled;
@@ -75,8 +74,7 @@ struct Record {
   /// number of values differs from the number of rows.
   Column& set(const Channel& channel, std::vector<double> values);
 
-  /// Returns true if the range of the values exceeds the step of the channel. If Channel::ratio is
-  /// true, the step is relative to the largest absolute value.
+  /// Returns true if the range of the values exceeds the step of the channel (step_of()).
   [[nodiscard]] bool varies(const Channel& channel) const;
   /// Returns the column with the standard deviations of a measured channel; null if the record has
   /// none.
@@ -104,8 +102,7 @@ struct Record {
 /// extension. If two of these names are equal, both names include the folder. Column::known is true
 /// only if it is true in all records. The result keeps the notes of all records. Throws
 /// std::invalid_argument for fewer than two records, for two records of one source, for a record
-/// whose readings are known only up to a factor (`up_to_a_factor`), and for records with different
-/// `settings_hold`.
+/// with `up_to_a_factor`, and for records with different `settings_hold`.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

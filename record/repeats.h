@@ -20,10 +20,10 @@ struct SamePoint {
   double temperature = 0.1;
 };
 
-/// Returns groups of two or more rows: every row of a group is at the same point as the first row
-/// of the group. The function searches `rows`, or all rows if `rows` is empty. A coast-down has no
-/// groups, because its speed differs in every row. Rows of different joined records never form a
-/// group, because differences between days are not scatter.
+/// Returns groups of two or more rows that are at the same point as the first row of their group.
+/// Only `rows` are searched, or all rows if `rows` is empty. A coast-down has no groups, because
+/// its speed differs in every row. Rows of different joined records never form a group, because
+/// differences between days are not scatter.
 [[nodiscard]] std::vector<RepeatGroup> find_repeats(const Record& record,
                                                     const SamePoint& same = {},
                                                     std::span<const std::size_t> rows = {});

@@ -32,8 +32,8 @@ enum class Course {
 /// displacement, so a record does not contain the column.
 inline constexpr std::string_view offset_kind = "offset";
 
-/// Returns the channel of one displacement transducer with the column name NAME_um; null for any
-/// other name. A file has such a column only if the model calculates a displacement from several
+/// Returns the channel of a displacement transducer with the column name NAME_um; null for any
+/// other name. Files have this column only if a model calculates a displacement from several
 /// transducers.
 [[nodiscard]] const Channel* transducer_channel(std::string_view name);
 

@@ -14,8 +14,7 @@ namespace raceway::verdict {
 
 /// Errors of one measured channel without and with the added effects.
 struct ChannelGain {
-  /// Errors without and with the effects, on the rows of the fit; both models are refitted to the
-  /// same rows.
+  /// Errors without and with the effects; both models are refitted to the same rows.
   Comparison before{}, after{};
   /// Noise of the readings, which determines their weights in the fit. An index of a reading in
   /// `noise` is an index in Comparison::errors.

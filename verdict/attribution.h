@@ -61,9 +61,8 @@ class Attribution {
   /// the readings are linear in all parameters.
   [[nodiscard]] Explanation refit(const std::vector<std::size_t>& members,
                                   const std::vector<Eigen::VectorXd>& extra_starts = {}) const;
-  /// Refits the model with each candidate alone. Candidates that cannot be tested, or whose
-  /// influence the free parameters absorb, are left out. The fits are sorted by gain, largest
-  /// first.
+  /// Returns fits with each candidate alone, sorted by gain, largest first. Candidates that cannot
+  /// be tested, or whose influence the free parameters absorb, are left out.
   [[nodiscard]] std::vector<Explanation> singles() const;
   /// Returns fits with pairs of candidates, sorted by gain, largest first. The function calculates
   /// the gain of every pair in a linearised model, and refits up to 40 pairs close to the best one.

@@ -42,8 +42,8 @@ struct Calibration {
   int iterations = 0;
   fit::FitStatus status = fit::FitStatus::not_run;
   std::vector<record::Note> messages{};  ///< messages for the user
-  /// Held-out error [SI] and correlation time of the residuals [s] of a model that only
-  /// approximates the readings; NaN if unknown.
+  /// Held-out RMS error of the first measured channel [SI] and correlation time of the residuals
+  /// [s], for a model that only approximates the readings; NaN if unknown.
   double rms_held_out = unset, correlation_time = unset;
 
   [[nodiscard]] bool converged() const { return status == fit::FitStatus::converged; }
