@@ -39,7 +39,7 @@ struct Noise {
 struct Stop {
   double time = unset;  ///< time of the first reading [s]
   int readings = 0;
-  double mean = unset;  ///< [SI]
+  double mean = unset;  ///< mean of the readings [SI]
   /// Standard deviation of one reading, from this stop only [SI]; NaN for a single reading.
   double std = unset;
 };

@@ -83,7 +83,7 @@ struct NoiseOptions {
 
 /// Readings of one channel, prepared for the estimate of their noise.
 struct ChannelReadings {
-  Eigen::VectorXd measured{};  ///< SI
+  Eigen::VectorXd measured{};  ///< readings [SI]
   /// Declared standard deviations [SI]; empty unless every reading has one.
   Eigen::VectorXd std{};
   bool known = false;  ///< true if `std` is as good as exact (Column::known)

@@ -15,7 +15,7 @@ struct Observations {
   /// Index of the first observation of each channel; the last entry is the number of observations.
   std::vector<Eigen::Index> first{0};
   std::vector<std::size_t> row{};  ///< row index of each observation in the record
-  Eigen::VectorXd measured{};      ///< SI
+  Eigen::VectorXd measured{};      ///< readings [SI]
 
   [[nodiscard]] Eigen::Index size() const { return measured.size(); }
   [[nodiscard]] Eigen::Index size(std::size_t channel) const {

@@ -20,7 +20,7 @@ namespace raceway::fit {
 /// compares such a form with the predictions at points within the bounds. If both agree to
 /// rounding, `constant + slope x` is stored, and fits need no iteration.
 struct Response {
-  std::vector<Parameter> parameters{};  ///< parameters; fits begin at their `start`
+  std::vector<Parameter> parameters{};  ///< arguments; fits begin at Parameter::start
   /// Predicted observations [SI]; NaN for a missing prediction.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 
@@ -64,7 +64,7 @@ struct ResponseFit {
   Eigen::VectorXd values;
   Eigen::VectorXd standard_errors;  ///< standard errors from the linearised problem; NaN at a bound
   std::vector<bool> at_bound;
-  Eigen::VectorXd prediction;  ///< SI
+  Eigen::VectorXd prediction;  ///< predicted observations [SI]
   Eigen::MatrixXd slope;       ///< derivatives of the observations (observations x parameters)
   Eigen::VectorXd residual;    ///< reading minus prediction, whitened [1]
   /// Whitened derivatives with respect to the parameters that are not at a bound, multiplied by

@@ -14,7 +14,7 @@ namespace raceway::fit {
 struct Means {
   struct Mean {
     std::vector<Eigen::Index> places{};  ///< indices in the output of Predictor::readings()
-    double measured = unset;             ///< SI
+    double measured = unset;             ///< mean of the readings [SI]
     std::size_t channel = 0;             ///< index in Subject::measured()
     double weight = 1.0;  ///< 1/tolerance of the channel [1/SI], or 1 without a tolerance
     double time = unset;  ///< mean time of the rows [s]
