@@ -6,7 +6,7 @@
 
 namespace raceway::record {
 
-/// Recorded heat flow from the motor into the spindle [W].
+/// Recorded heat that the motor generates [W].
 inline constexpr Channel motor_heat{.name = "motor_heat_W",
                                     .variable = "motor_heat",
                                     .words = "motor heat",

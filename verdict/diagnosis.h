@@ -19,7 +19,7 @@ namespace raceway::verdict {
 
 enum class Verdict {
   nothing_missing,  ///< the data show no missing effect, or the error is within the tolerance
-  effect,           ///< one effect is missing and explains the misfit
+  effect,           ///< one effect explains the misfit
   ambiguous,  ///< each of several effects explains the misfit, and the data cannot separate them
   several_effects,  ///< several effects are missing together
   effect_like,      ///< the misfit resembles an effect, but with another law or an implausible size

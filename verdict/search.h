@@ -21,7 +21,8 @@ struct Finding {
     /// Both corrections of the base law together explain the misfit; the threshold is lower than
     /// for other pairs.
     base_laws,
-    /// One candidate removes half of the mean square error, but the error exceeds the tolerance.
+    /// One candidate removes at least half of the mean square error, but the error exceeds the
+    /// tolerance.
     partly
   };
   Kind kind = Kind::none;
