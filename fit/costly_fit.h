@@ -8,54 +8,55 @@
 
 #include "fit/separable.h"
 
-/// Fits models with costly predictions (Subject::is_costly()).
+/// Fits models with slow predictions (Subject::is_costly()).
 namespace raceway::fit {
 
-/// Result of a fit, with the derivatives of all means (see Means) with respect to the parameters.
+/// Result of a fit, with the derivatives of all means (Means) with respect to the parameters (means
+/// x parameters).
 struct CostlyFit {
   SeparableFit fit{};
   Eigen::MatrixXd slope{};
-  std::shared_ptr<const CostlyFit> begin{};  ///< fit from which this fit started
+  /// State at which this fit started; null for a fit that continues another.
+  std::shared_ptr<const CostlyFit> begin{};
 };
 
-/// Stopping rule of a fit.
+/// Rules that end a fit.
 struct CostlyEnd {
-  double settled = 1e-4;  ///< a smaller relative fall of the misfit counts as no progress
-  /// A fit with a larger misfit than this value ends without exact derivatives.
+  double settled = 1e-4;  ///< relative fall of the misfit below which there is no progress [1]
+  /// A fit whose misfit stays above this value ends without new derivatives.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// True if the fit stops as soon as exact or approximate derivatives predict a relative fall
-  /// below `settled`. Such a fit takes the last step by extrapolation, without a prediction. The
-  /// misfit of such a fit approximates the misfit of a full fit.
+  /// True if the fit stops as soon as the derivatives predict a relative fall below `settled`. The
+  /// last step is then an extrapolation without a prediction, and the misfit is approximate.
   bool rough = false;
 };
 
-/// Minimises the weighted sum of the squared residuals of means by the method of Levenberg and
-/// Marquardt, over the named parameters. A parameter has a logarithmic scale if its bounds span
-/// more than a decade; otherwise its typical size is the scale. Derivatives are difference
-/// quotients with a step of 0.02 on the logarithmic scale, or of 0.2 typical sizes. These steps are
-/// so large that neither the tolerance of a simulation nor its step sizes disturb the derivatives.
-/// Between two sets of differences, a rank-one update corrects the derivatives (Broyden 1965). A
-/// typical fit needs two predictions for each parameter, plus four. Several threads must not use
-/// one object at the same time, because its methods share a buffer of readings.
+/// Fits the named parameters: minimises the sum of the squared weighted residuals of means by the
+/// method of Levenberg and Marquardt. A parameter has a logarithmic scale if its bounds span more
+/// than a decade; otherwise it is divided by its typical size. Derivatives are difference quotients
+/// with a step of 0.02 on the logarithmic scale, or of 0.2 typical sizes. These steps are so large
+/// that neither the tolerance of a simulation nor its step sizes disturb the derivatives. After
+/// each step, a rank-one update corrects the derivatives (Broyden 1965). A typical fit needs two
+/// predictions for each parameter, plus four. Several threads must not use one object at the same
+/// time.
 class CostlyProblem {
  public:
-  /// The arguments are the same as for Separable.
+  /// The arguments are as in the constructor of Separable.
   CostlyProblem(const Subject& subject, const Record& record,
                 const std::shared_ptr<const void>& prepared, const Means& means,
                 const std::vector<std::string>& names);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, const CostlyEnd& end) const;
-  /// Continues from `base`, a fit of the first of these parameters. The remaining parameters belong
-  /// to candidates. `sizes` are the indices of the parameters that are the sizes of the candidates.
-  /// `initial` contains values of all parameters, with sizes that are not neutral. If the size of a
-  /// candidate ends at a bound, or the misfit falls by less than 10 %, a second fit begins at the
-  /// start of `base`. The second fit runs only if that point is far away and the derivatives
-  /// predict a gain there. The second fit is needed because parameters of `base` may have moved to
-  /// absorb the missing effect, and then block the candidate.
+  /// Fits a model with candidates, starting from `base`, the fit without them. The parameters of
+  /// `base` come first, then the parameters of the candidates. `sizes` are the indices of the
+  /// parameters that give the candidates their sizes. `initial` contains start values of all
+  /// parameters, with sizes that are not neutral. If a size ends at a bound, or the misfit falls by
+  /// less than 10 %, a second fit begins at the start of `base`: the parameters of `base` may have
+  /// compensated for the missing effect. The second fit runs only if this start is far away and the
+  /// derivatives predict a gain.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
-  /// Continues `fit`, a fit of all parameters of this problem.
+  /// Continues `fit`, a fit of all parameters, until `end`.
   [[nodiscard]] CostlyFit onwards(const CostlyFit& fit, const CostlyEnd& end) const;
 
  private:
@@ -101,8 +102,9 @@ class CostlyProblem {
   mutable std::vector<double> all_;  // readings by row
 };
 
-/// Returns the residuals of all means after a refit without one block. The refit is linearised, so
-/// the readings are not predicted again. Parameters stay within their bounds.
+/// Returns the residuals of all means [SI], reading minus prediction, after a refit without the
+/// means of one block. The refit uses the derivatives in `fit` and needs no new prediction.
+/// Parameters stay within their bounds.
 [[nodiscard]] Eigen::VectorXd left_of_block(const CostlyFit& fit,
                                             const std::vector<Parameter>& parameters,
                                             const Means& means, int block);

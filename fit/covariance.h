@@ -6,10 +6,11 @@
 
 namespace raceway::fit {
 
-/// Covariance of parameters that were fitted together, in the units of the files.
+/// Covariance matrix of parameters that were fitted together. Parameters have the units of the
+/// files.
 struct Covariance {
   std::vector<std::string> names;
-  Eigen::VectorXd values;  ///< parameter values to which the matrix belongs
+  Eigen::VectorXd values;  ///< fitted values of the parameters
   Eigen::MatrixXd matrix;  ///< symmetric, positive semidefinite
 
   /// Returns the standard deviation of one parameter.

@@ -8,22 +8,23 @@
 /// std::domain_error for arguments outside its domain.
 namespace raceway::fit {
 
-/// Returns the probability that χ² with these degrees of freedom exceeds x; x >= 0.
+/// Returns the probability that a χ² variable with these degrees of freedom exceeds x; x >= 0.
 [[nodiscard]] double chi_squared_above(double degrees, double x);
-/// Returns the probability that χ² with these degrees of freedom is below x; x >= 0.
+/// Returns the probability that a χ² variable with these degrees of freedom is below x; x >= 0.
 [[nodiscard]] double chi_squared_below(double degrees, double x);
 
-/// Returns the probability that F with these degrees of freedom exceeds x; x >= 0.
+/// Returns the probability that an F variable exceeds x; x >= 0. `degrees` belongs to the
+/// numerator, `error_degrees` to the denominator.
 [[nodiscard]] double f_above(double degrees, double error_degrees, double x);
 
-/// Returns the probability that Student's t with these degrees of freedom exceeds x.
+/// Returns the probability that a Student t variable with these degrees of freedom exceeds x.
 [[nodiscard]] double t_above(double degrees, double x);
-/// Returns the x that Student's t exceeds with probability p; 0 < p < 1.
+/// Returns the value that a Student t variable exceeds with probability p; 0 < p < 1.
 [[nodiscard]] double t_exceeded_with(double degrees, double p);
 
-/// Returns the x that a standard normal variable exceeds with probability p; 0 < p < 1.
+/// Returns the value that a standard normal variable exceeds with probability p; 0 < p < 1.
 [[nodiscard]] double normal_exceeded_with(double p);
-/// Returns the x below which a standard normal variable lies with probability p; 0 < p < 1.
+/// Returns the value below which a standard normal variable lies with probability p; 0 < p < 1.
 [[nodiscard]] double normal_quantile(double p);
 
 }  // namespace raceway::fit

@@ -8,8 +8,8 @@ enum class FitStatus {
   not_run,
   converged,
   iteration_limit,
-  failed,  ///< the search stopped without success; the values are the last values of the search
-  nothing_to_fit  ///< no free parameter changes the data
+  failed,         ///< the fit stopped without reaching a minimum
+  nothing_to_fit  ///< no parameter to fit: none is free, or all are held at their start
 };
 
 /// Returns the status as the JSON results state it, for example "iteration_limit".

@@ -4,8 +4,8 @@
 
 namespace raceway::fit {
 
-/// Returns `count` levels from low to high. The levels have equal ratios if the range is wide,
-/// otherwise equal steps. An empty range gives one level.
+/// Returns `count` values from low to high. They have equal ratios if low > 0 and high > 3 low,
+/// otherwise equal steps. If the range is at most 0.1 % of high, the result is its middle.
 [[nodiscard]] std::vector<double> grid(double low, double high, int count);
 
 }  // namespace raceway::fit

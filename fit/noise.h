@@ -7,13 +7,13 @@
 
 namespace raceway::fit {
 
-/// Source of the standard deviations of readings.
+/// Source of the noise of readings.
 enum class NoiseSource {
   none,
   declared,
-  regression,  ///< the regression that produced the readings
+  regression,  ///< standard deviations from the regression that produced the readings
   repeats,
-  neighbours  ///< neighbouring readings in time
+  neighbours  ///< scatter of readings that are neighbours in time
 };
 
 /// Returns the source as the JSON results state it: "none", "declared", "regression", "repeats",
@@ -22,23 +22,24 @@ enum class NoiseSource {
 
 /// Noise of the readings of one channel.
 struct Noise {
-  double rms = unset;  ///< rms noise [SI]; NaN if unknown
+  double rms = unset;  ///< RMS noise [SI]; NaN if unknown
   NoiseSource source = NoiseSource::none;
-  int degrees_of_freedom = 0;  ///< degrees of freedom of the repeats, even if the noise is declared
-  double repeats_rms = unset;  ///< noise from repeats only [SI]; NaN without repeats
+  /// Degrees of freedom of the scatter within repeats, even if the noise is declared.
+  int degrees_of_freedom = 0;
+  double repeats_rms = unset;  ///< RMS scatter within repeats [SI]; NaN without repeats
 };
 
-/// Returns the noise of a measured channel: the rms of declared or regression standard deviations
-/// if every reading has one. Otherwise the noise is the scatter within repeats, if the repeats have
-/// at least 3 degrees of freedom and are not all equal. The misfit of a model is never used,
-/// because missing physics would then appear as noise.
+/// Returns the noise of a measured channel. If every reading has a standard deviation, the noise is
+/// the RMS of these standard deviations. Otherwise it is the scatter within repeated rows, or
+/// unknown if this scatter is zero or has fewer than 3 degrees of freedom. The misfit of a model is
+/// never used, because missing physics would then appear as noise.
 [[nodiscard]] Noise estimate_noise(const record::Record& record, const record::Channel& measured);
 
-/// Readings that were repeated during one stop, for example by several approaches of a probe.
+/// Readings of one stop of the machine, for example from several approaches of a probe.
 struct Stop {
   double time = unset;  ///< time of the first reading [s]
   int readings = 0;
-  double mean = unset;  ///< [SI]
+  double mean = unset;  ///< mean of the readings [SI]
   /// Standard deviation of one reading, from this stop only [SI]; NaN for a single reading.
   double std = unset;
 };
@@ -46,30 +47,32 @@ struct Stop {
 /// Repeatability of a measured channel over all stops.
 struct Repeatability {
   std::vector<Stop> stops{};
-  double std = unset;  ///< standard deviation of one reading, pooled over all stops [SI]
+  double std = unset;  ///< standard deviation of one reading, from all stops together [SI]
   int degrees_of_freedom = 0;
 
   [[nodiscard]] bool known() const { return degrees_of_freedom > 0; }
 };
 
-/// Finds the scatter of readings within stops: groups of 2 to 30 readings of one run, with much
-/// longer breaks between groups than within a group. A straight line is subtracted from groups of 4
-/// or more readings, because the machine may move during the stop. The result is empty unless at
-/// least two such groups contain at least half of the readings and have at least 3 degrees of
+/// Finds the stops of a record and the scatter of the readings within a stop. A stop is a group of
+/// at most 30 readings of one run. The breaks between groups are much longer than those within a
+/// group. A straight line is subtracted from groups of 4 or more readings, because the machine may
+/// move during the stop. The result is empty unless at least two groups have two or more readings,
+/// these groups contain at least half of all readings, and the scatter has at least 3 degrees of
 /// freedom.
 [[nodiscard]] Repeatability repeatability(const record::Record& record,
                                           const record::Channel& measured);
 
-/// Returns the scatter of single readings [SI], from stops if there are any, otherwise from
-/// neighbouring readings. NaN if there are fewer than 32 readings, or if the readings are too far
-/// apart in time (120 s) to separate noise from real motion.
+/// Returns the standard deviation of single readings [SI], from repeatability() if it finds stops.
+/// Otherwise, it comes from the distances of readings from the line between their neighbours in
+/// time. It is then NaN for fewer than 32 readings, or if the usual time step exceeds 120 s,
+/// because noise and real motion cannot be separated.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 
-/// Returns an upper bound for the scatter of readings that are far apart in time, with one reading
-/// in each stop [SI]. The bound uses the quarter of the readings closest to the line between their
-/// neighbours. This quarter shows only noise if the machine was at rest for a quarter of the time.
-/// NaN for fewer than 12 readings.
+/// Returns an upper bound for the standard deviation of readings that are far apart in time [SI].
+/// The bound uses the quarter of the readings closest to the line between their neighbours. If the
+/// machine was at rest for a quarter of the time, this quarter shows only noise. NaN for fewer than
+/// 12 readings.
 [[nodiscard]] double noise_of_calm_readings(const record::Record& record,
                                             const record::Channel& measured);
 

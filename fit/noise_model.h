@@ -14,61 +14,65 @@ namespace raceway::fit {
 ///
 ///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
-/// s_i is the standard deviation of reading y_i. The input n is the swept input. In general, a_i is
-/// 1. The number b_i is the change of reading i when an input changes by the width of a level.
-/// Both a and b are divided by their rms. The correlation is described in Whitening. For means over
-/// dwells, a_i comes from the scatter within the dwell, and this part of the noise is independent
-/// of other readings. Declared standard deviations replace the whole sum. The noise is estimated
-/// from the residuals of a saturated regression. The misfit of a physical model is never used,
-/// because missing physics would then appear as noise.
+/// s_i is the standard deviation of reading y_i, and n_i the value of the swept input, usually the
+/// speed. For single rows, a_i is 1. For means over dwells, a_i comes from the scatter within the
+/// dwell, and this part of the noise is independent of other readings. b_i is the change of reading
+/// i when inputs that scatter change by the width of a level. a and b are divided by their RMS.
+/// Whitening describes the correlation. If standard deviations are declared, they give the relative
+/// sizes of all s_i. The noise is estimated from the residuals of a saturated regression
+/// (Saturation). The misfit of a physical model is never used, because missing physics would then
+/// appear as noise.
 struct NoiseModel {
-  /// Standard deviation relative to the reading, at the largest value of the swept input [1].
+  /// Proportional part of the standard deviation, divided by the reading, at n_max [1].
   double relative = 0.0;
-  double growth = 0.0;             ///< p: exponent of the growth with the swept input [1]
+  double growth = 0.0;             ///< p: exponent of the swept input [1]
   const Channel* swept = nullptr;  ///< n; null if no input is swept over a wide range
   double largest_swept = unset;    ///< n_max [SI]
-  double absolute = 0.0;           ///< rms of the part that does not grow with the reading [SI]
-  double input = 0.0;              ///< rms of the part from scatter of an input [SI]
-  double correlation = 0.0;        ///< φ of neighbours in time, at the median time step [1]
-  double run_share = 0.0;  ///< share of the variance that is common to the rows of a run [1]
-  /// Size of offsets that all readings of a run share [SI]. The variance of the offsets is
-  /// `run_share` times the square of this size. The size is 0 if the offset of a reading is
-  /// proportional to the standard deviation of this reading.
+  double absolute = 0.0;           ///< RMS of the part that does not grow with the reading [SI]
+  double input = 0.0;              ///< RMS of the part from the scatter of inputs [SI]
+  double correlation = 0.0;  ///< φ: correlation of readings at a distance of `median_step` [1]
+  double run_share = 0.0;    ///< share of the variance from an offset of each run [1]
+  /// Size of run offsets that are equal for all readings of a run [SI]. The variance of the offsets
+  /// is `run_share` times the square of this size. The size is 0 if the offset of a reading is
+  /// proportional to its standard deviation.
   double run_unit = 0.0;
-  double state_share = 0.0;  ///< share of the variance that is common to the pieces of a dwell [1]
-  double degrees_of_freedom = unset;  ///< degrees of freedom of the variance
+  double state_share = 0.0;           ///< share of the variance from an offset of each dwell [1]
+  double degrees_of_freedom = unset;  ///< degrees of freedom of the estimated variance
   Whitening whitening{};
-  /// Other shapes of the noise that the readings allow. A verdict must be valid for each of these
-  /// shapes.
+  /// Whitenings with other noise parameters that the readings also allow. A verdict must be valid
+  /// with each of them.
   std::vector<Whitening> allowed{};
-  /// True if the data cannot show offsets of runs, because a setting also changes with every change
-  /// of run.
+  /// True if the data cannot show offsets of runs, because a setting changes whenever the run
+  /// changes.
   bool unknown_runs = false;
-  /// True: `run_share` describes blocks that are not declared as runs.
+  /// True if `run_share` describes blocks of rows that are not declared as runs
+  /// (RowOrder::new_block).
   bool undeclared_blocks = false;
   bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
-  std::vector<std::size_t> outliers{};  ///< readings with reduced weight; none is left out
-  /// Factor on the standard deviations of each joined record [1]; empty if all records have the
-  /// same scatter.
+  /// Indices of readings with reduced weight; none is left out.
+  std::vector<std::size_t> outliers{};
+  /// Factor by which the standard deviations of each joined record are multiplied [1]; empty if all
+  /// records have the same scatter.
   std::vector<double> records{};
-  double rms = unset;          ///< rms over the readings [SI]
-  double median_step = unset;  ///< time step to which the correlation refers [s]
-  /// F statistic and p-value of the repeats relative to the saturated regression; NaN below 8
-  /// degrees of freedom.
+  double rms = unset;          ///< RMS of all s_i [SI]
+  double median_step = unset;  ///< median time between readings; `correlation` refers to it [s]
+  /// F statistic and p-value of the test whether repeated readings scatter more than this noise
+  /// [1]; NaN below 8 degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 
-  /// Multiplies all parts of the noise by a factor.
+  /// Multiplies all standard deviations by a factor.
   void scale(double factor);
   [[nodiscard]] bool has_memory() const {
     return correlation > 0.0 || run_share > 0.0 || state_share > 0.0;
   }
-  /// Returns the standard deviation of the run offsets, rms over the readings [SI].
+  /// Returns the standard deviation of the run offsets [SI], as RMS over the readings.
   [[nodiscard]] double run_offset() const;
-  /// Returns the growth factor (n/n_max)^p of a row [1].
+  /// Returns the factor (n/n_max)^p of a row [1]; 1 if the noise does not grow with the swept
+  /// input.
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
-/// Parts of the noise model that can be switched off, to study their influence.
+/// Parts of the noise model. A part that is false is not used, to study its influence.
 struct NoiseOptions {
   bool correlation = true;
   bool runs = true;
@@ -79,57 +83,58 @@ struct NoiseOptions {
 
 /// Readings of one channel, prepared for the estimate of their noise.
 struct ChannelReadings {
-  Eigen::VectorXd measured{};  ///< SI
+  Eigen::VectorXd measured{};  ///< readings [SI]
   /// Declared standard deviations [SI]; empty unless every reading has one.
   Eigen::VectorXd std{};
-  bool known = false;  ///< true if `std` is practically exact
-  /// Change of each reading when a scattering input changes by the width of a level [SI]; empty if
+  bool known = false;  ///< true if `std` is as good as exact (Column::known)
+  /// Change of each reading when inputs that scatter change by the width of a level [SI]; empty if
   /// no input scatters.
   Eigen::VectorXd slope{};
-  /// Standard deviation of means from the scatter within them, up to a factor; empty for rows that
-  /// are not means.
+  /// Standard deviation of each mean over a dwell, up to a common factor [1]; empty if rows are not
+  /// means.
   Eigen::VectorXd within{};
-  /// Swept input of the record [SI, > 0]; null and empty if no input is swept over a wide range.
+  /// Swept input and its value at each reading [SI, > 0]; null and empty if no input is swept over
+  /// a wide range.
   const Channel* swept_by = nullptr;
   Eigen::VectorXd swept{};
-  /// Level of each reading, for each setting with few levels.
+  /// For each setting with 2 to 24 levels, the index of the level at each reading.
   std::vector<std::vector<std::size_t>> levels{};
   RowOrder order{};
-  std::vector<std::size_t> part{};                  ///< joined record of each reading; may be empty
-  std::vector<std::vector<std::size_t>> repeats{};  ///< groups of readings at one point
+  /// Index of the joined record of each reading; empty without joined records.
+  std::vector<std::size_t> part{};
+  std::vector<std::vector<std::size_t>> repeats{};  ///< groups of readings with equal inputs
 };
 
 [[nodiscard]] ChannelReadings readings_of(const Record& record, const Observations& observed,
                                           std::size_t channel);
 
-/// Estimates the noise from the saturated regression `columns` (SI, full rank) by restricted
-/// maximum likelihood. `size` is a typical size of each reading [SI, > 0]; it affects only the
-/// first weights. Outliers get a weight that falls with their distance. An outlier is a reading at
-/// least as improbable as a reading beyond 3.5 standard deviations of a known normal distribution.
-/// Outliers add no degree of freedom. The function tests for growth of the scatter with the swept
-/// input before it calls a reading an outlier. Readings that gather at one level of a setting are
-/// not outliers.
+/// Estimates the noise of one channel by restricted maximum likelihood. `columns` are the terms of
+/// the saturated regression at the readings [SI], with full rank. `size` is a typical size of each
+/// reading [SI, > 0]. An outlier is a reading at least as improbable as a normal variable beyond
+/// 3.5 standard deviations. Its weight falls with its distance, and it adds no degree of freedom.
+/// The function tests for growth of the scatter with the swept input before it calls a reading an
+/// outlier. Readings that gather at one level of a setting are not outliers.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
-/// Returns the whitening of this noise for other readings of the channel. `size` is a typical size
-/// of each reading [SI].
+/// Returns the whitening with this noise for other readings of the channel. `size` is a typical
+/// size of each reading [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 
-/// Returns the error in excess of the noise, from two rms values: sqrt(error² - noise²), or 0 if
-/// the error is smaller.
+/// Returns the part of an RMS error that the noise does not explain: sqrt(error² - noise²), or 0 if
+/// the error is smaller than the noise.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
-/// Adds the declared error of the model to the noise as independent scatter. `error` [SI] applies
-/// to every reading.
+/// Adds the error of the model to the noise, as an independent scatter with the standard deviation
+/// `error` [SI] in every reading.
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
 /// Returns the noise of independent readings with the known standard deviations
-/// ChannelReadings::std. Use this function for readings that come from a regression over many more
-/// samples than there are readings, because the regression then determines the scatter well.
+/// ChannelReadings::std. Use this function for readings from a regression over many more samples
+/// than readings. The regression then determines the scatter well.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);
 
 }  // namespace raceway::fit

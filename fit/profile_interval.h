@@ -14,7 +14,7 @@ constexpr double profile_rise = normal_95 * normal_95;
 
 struct ProfileInterval {
   double lower = unset, upper = unset;
-  /// True if the interval ends at a bound; values beyond the bound were not tried.
+  /// True if this end is the bound of the parameter; values beyond it were not tried.
   bool open_lower = false, open_upper = false;
   int refits = 0;
 };
@@ -25,14 +25,13 @@ struct ProfileInterval {
 ///
 /// All other parameters are fitted again at every value [BatesWatts1988, ch. 6;
 /// VenzonMoolgavkar1988]. The number 3.84 is the 95 % quantile of χ² with one degree of freedom.
-/// `factor` widens the interval like the standard errors: it is the root of the reduced χ² if the
-/// size of the noise comes from the misfit. For a model that is linear in its parameters, the
-/// interval is value +- 1.96 factor std.
+/// `factor` widens the interval like the standard errors (Calibration::error_factor). For a model
+/// that is linear in its parameters, the interval is value +- 1.96 factor std.
 ///
-/// If χ² does not rise by 3.84 factor² within the bounds, the interval is open and ends at the
-/// bound. Without a bound, the open end is infinite. An end is NaN if a refit between the fitted
-/// value and this end does not converge. Each end is accurate to 1e-4 of its distance from the
-/// fitted value. An end needs one refit of a linear model, and about five refits of other models.
+/// If χ² does not rise by 3.84 factor² up to a bound, this end is open and lies at the bound.
+/// Without a bound, an open end is infinite. An end is NaN if the refits near it do not converge.
+/// Each end is accurate to 1e-4 of its distance from the fitted value. An end needs one refit if
+/// the model is linear, and about five if not.
 [[nodiscard]] ProfileInterval profile_interval(const Response& response, const ResponseFit& fit,
                                                const Whitening& whitening,
                                                const Eigen::VectorXd& measured,

@@ -8,11 +8,11 @@
 
 namespace raceway::fit {
 
-/// Mean of neighbouring readings that a fit to the other parts of the record predicts.
+/// Mean of neighbouring readings that was held out of a fit, and its residual.
 struct HeldOutReading {
   std::size_t channel = 0;  ///< index in Subject::measured()
-  std::size_t row = 0;      ///< row in the middle of the mean
-  int part = 0;             ///< held-out part of the record
+  std::size_t row = 0;      ///< index of the middle row of the mean
+  int part = 0;             ///< index of the block of rows that was held out
   double residual = unset;  ///< prediction minus reading [SI]
 };
 

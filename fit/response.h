@@ -13,19 +13,19 @@
 
 namespace raceway::fit {
 
-/// Observations as a function of a few parameters. The function is a black box with numerical
-/// derivatives.
+/// Predicted observations (Observations) as a function of a few parameters. Derivatives are
+/// numerical.
 ///
-/// Many models are affine in their parameters. The program compares an affine form with the
-/// predictions at points within the bounds. If both agree to rounding, `constant + slope x` is
-/// stored, and fits need no iteration.
+/// Many models are linear in their parameters, plus a constant (affine). find_affine_form()
+/// compares such a form with the predictions at points within the bounds. If both agree to
+/// rounding, `constant + slope x` is stored, and fits need no iteration.
 struct Response {
-  std::vector<Parameter> parameters{};  ///< parameters; fits begin at their `start`
+  std::vector<Parameter> parameters{};  ///< arguments; fits begin at Parameter::start
   /// Predicted observations [SI]; NaN for a missing prediction.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 
-  /// First index of each part with its own unit, and the end of the last part; empty means one
-  /// part.
+  /// Index of the first observation of each channel, and the number of observations; empty means
+  /// one channel.
   std::vector<Eigen::Index> parts{};
 
   struct Affine {
@@ -35,59 +35,59 @@ struct Response {
   std::optional<Affine> affine{};
 
   [[nodiscard]] Eigen::VectorXd start() const;
-  /// Returns the predicted readings, from the affine form if there is one.
+  /// Returns the predicted observations [SI], from the affine form if there is one.
   [[nodiscard]] Eigen::VectorXd at(const Eigen::VectorXd& x) const;
-  /// Returns the derivatives of the readings (observations x parameters) by differences within the
-  /// bounds.
+  /// Returns the derivatives of the observations (observations x parameters) from two-sided
+  /// differences within the bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
-  /// Returns the derivatives by one-sided differences; `at_x` are the readings at `x`. These
-  /// derivatives are accurate enough for the steps of a search.
+  /// Returns the derivatives (observations x parameters) from one-sided differences. `at_x` are the
+  /// observations at `x`. Use them only for the steps of a search, because they are less accurate.
   [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& at_x) const;
-  /// Tests whether the response is affine, and stores the affine form if it is.
+  /// Tests whether the observations are affine in the parameters, and stores the affine form if
+  /// they are.
   void find_affine_form();
 };
 
-/// Returns the observations of a subject as a function of the named parameters; for `prepared` see
-/// Subject::predictor(). The response stores the record and `prepared`, but not the subject. Throws
-/// like find_parameters().
+/// Returns the observations of a model as a function of the named parameters; for `prepared` see
+/// Subject::predictor(). The result owns the record and `prepared`, but does not need the model.
+/// Throws std::invalid_argument as find_parameters() does.
 [[nodiscard]] Response response_of(const Subject& subject, std::shared_ptr<const Record> record,
                                    const Observations& observed,
                                    const std::vector<std::string>& names,
                                    const std::shared_ptr<const void>& prepared = nullptr);
 
-/// A response fitted to whitened readings.
+/// Result of a fit of a Response to readings.
 struct ResponseFit {
   bool converged = false;
   int iterations = 0;  ///< number of iterations over all starts
   Eigen::VectorXd values;
-  Eigen::VectorXd standard_errors;  ///< standard errors of the linearised problem; NaN at a bound
+  Eigen::VectorXd standard_errors;  ///< standard errors from the linearised problem; NaN at a bound
   std::vector<bool> at_bound;
-  Eigen::VectorXd prediction;  ///< SI
-  Eigen::MatrixXd slope;       ///< derivatives of the readings (observations x parameters)
+  Eigen::VectorXd prediction;  ///< predicted observations [SI]
+  Eigen::MatrixXd slope;       ///< derivatives of the observations (observations x parameters)
   Eigen::VectorXd residual;    ///< reading minus prediction, whitened [1]
-  /// Whitened derivatives with respect to the parameters that are not at a bound, in units of their
-  /// scale.
+  /// Whitened derivatives with respect to the parameters that are not at a bound, multiplied by
+  /// Parameter::scale [1].
   Eigen::MatrixXd tangent;
   double misfit = unset;  ///< |residual|², which is -2 ln L up to a constant [1]
 
-  /// Returns the parameter with its fitted value, its standard error and the bound that it has
-  /// reached.
+  /// Returns one parameter with its fitted value, its standard error and Parameter::at_bound.
   [[nodiscard]] Parameter fitted(const Response& response, std::size_t parameter) const;
 };
 
-/// Minimises the sum of the squared whitened residuals within the bounds. Affine responses are
-/// solved directly. Others use the method of Levenberg and Marquardt from each start, until two
-/// starts reach the best optimum (relative difference of the misfit below 1e-6). If no two starts
-/// agree, the fit counts as not converged.
+/// Minimises the sum of the squared whitened residuals within the bounds. An affine response is
+/// solved directly. Otherwise, the method of Levenberg and Marquardt runs from one start after
+/// another, until two starts reach the best minimum (relative difference of the misfit below 1e-6).
+/// If no two starts agree, the fit counts as not converged.
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
 
-/// Runs one search from one start. Use this function for a first ranking of many fits, and repeat
-/// the best fits in full. The search stops if the predicted fall of the misfit in the next step is
-/// below 0.05, or below 1e-4 of the misfit if that is larger. A fit that stops for this reason
-/// counts as converged. The response must not be affine.
+/// Fits from one start with a coarse stopping rule. Use this function to rank many fits, and repeat
+/// the best with fit_response(). The fit counts as converged if the predicted fall of the misfit in
+/// the next step is below 0.05, or below 1e-4 of the misfit if that is larger. The response must
+/// not be affine.
 [[nodiscard]] ResponseFit coarse_fit(const Response& response, const Whitening& whitening,
                                      const Eigen::VectorXd& measured, const Eigen::VectorXd& start);
 

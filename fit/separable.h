@@ -10,58 +10,57 @@
 
 namespace raceway::fit {
 
-/// Readings as means over neighbouring rows, which is enough detail for a slow model.
+/// Means of readings over neighbouring rows. A model of slow changes needs no single rows.
 struct Means {
   struct Mean {
-    std::vector<Eigen::Index> places{};  ///< indices in the readings of a predictor
-    double measured = unset;             ///< SI
+    std::vector<Eigen::Index> places{};  ///< indices in the output of Predictor::readings()
+    double measured = unset;             ///< mean of the readings [SI]
     std::size_t channel = 0;             ///< index in Subject::measured()
-    double weight = 1.0;                 ///< relative weight: 1/tolerance of the channel
-    double time = unset;                 ///< time in the middle of the rows [s]
-    int block = -1;                      ///< block in which the mean is held out; -1: no block
+    double weight = 1.0;  ///< 1/tolerance of the channel [1/SI], or 1 without a tolerance
+    double time = unset;  ///< mean time of the rows [s]
+    int block = -1;       ///< index of the block with which the mean is held out; -1: no block
   };
   std::vector<Mean> list{};
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
 };
 
-/// Returns the tolerance of a channel [SI]. If no value is given, models that only approximate have
-/// a calculated tolerance: the root of the sum of squares of the declared model error and the noise
-/// of a reading. In all other cases, the result is NaN.
+/// Returns the tolerance of a channel [SI]. If none is given, a model that only approximates has a
+/// calculated tolerance: the root of the sum of squares of its declared error and the noise of a
+/// reading. If none can be calculated, the result is NaN.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
-/// Returns means over `width` [s], each within one run and one block. A width of 0 keeps single
-/// rows.
+/// Returns the means of readings over time intervals of `width` [s]. A mean has rows of one run and
+/// one block only. With a width of 0, each row is a mean.
 [[nodiscard]] Means means_of(const Subject& subject, const Record& record, double width);
 
-/// Fit of linear and other parameters. The readings are linear functions of the linear parameters.
+/// Result of a fit of means. The predictions are linear in some of the parameters.
 struct SeparableFit {
   bool converged = false;
   int iterations = 0;
-  Eigen::VectorXd values{};  ///< all parameters, in the units of the files
+  Eigen::VectorXd values{};  ///< values of all parameters, in the units of the files
   std::vector<bool> at_bound{};
   Eigen::VectorXd
-      residual{};  ///< reading minus prediction of every mean [SI], including held-out means
-  /// Weighted sum of the squared residuals of the fitted means, plus the contribution of the
-  /// priors.
+      residual{};  ///< reading minus prediction of every mean [SI], also of held-out means
+  /// Sum of the squared weighted residuals of the fitted means, plus the terms of the priors [1].
   double misfit = unset;
 };
 
-/// Minimises the weighted sum of the squared residuals of means over the named parameters. Linear
+/// Fits the named parameters: minimises the sum of the squared weighted residuals of means. Linear
 /// parameters are solved by linear least squares within each step (variable projection
-/// [GolubPereyra1973]). All other parameters are called bending parameters. The method of Levenberg
-/// and Marquardt finds the bending parameters, on a logarithmic scale if the bounds of a parameter
-/// span more than a decade.
+/// [GolubPereyra1973]). The other parameters, on which the predictions depend nonlinearly, are
+/// called bending parameters. They are found by the method of Levenberg and Marquardt. A bending
+/// parameter whose bounds span more than a decade has a logarithmic scale.
 ///
 /// A ridge of 1e-6 on columns of unit length prevents the gains of two lags with nearly equal time
-/// constants from becoming very large with opposite signs. A prior adds w (v - value)²/std² for its
-/// parameter v, where w is the variance of a weighted mean. Parameters that the means determine
-/// better than the prior follow the means; the others stay at the prior. Predictions that a bending
-/// parameter does not change (Predictor::bends()) are stored between evaluations. Several threads
-/// must not use one object at the same time, because they would share the stored results.
+/// constants from becoming very large with opposite signs. A prior adds w (v - value)²/std² to the
+/// sum for its parameter v, where w is the variance of a weighted mean. The fitted v is therefore
+/// near the prior, unless the means determine v better than the prior. The object stores
+/// predictions that a bending parameter does not change (Predictor::bends()). Several threads must
+/// therefore not use one object at the same time.
 class Separable {
  public:
   /// `record` and `prepared` are the arguments of Subject::predictor(). All arguments must live
-  /// longer than this object. `prior_weight` is w; 0 switches the priors off.
+  /// longer than this object. `prior_weight` is w above; with 0, the priors are not used.
   Separable(const Subject& subject, const Record& record,
             const std::shared_ptr<const void>& prepared, const Means& means,
             const std::vector<std::string>& names, double prior_weight = 0.0);
@@ -70,21 +69,23 @@ class Separable {
   /// Returns the indices of the bending parameters in parameters().
   [[nodiscard]] const std::vector<std::size_t>& bending() const { return bending_; }
 
-  /// Returns the fit with the least misfit for the given bending parameters.
+  /// Returns the fit of the linear parameters, with the bending parameters fixed at `values`. Means
+  /// of the block `left_out` are not used; -1: all means are used.
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values, int left_out = -1,
                                 double ridge = usual_ridge) const;
-  /// Fits from one start. Parameters in `held` keep their values. Means of the block `left_out` are
-  /// not used.
+  /// Fits all parameters, starting from `start`. A bending parameter whose entry in `held` is true
+  /// keeps its start value. `left_out` is as in at().
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;
-  /// Returns the fall of the misfit for each value in `tried` of the parameter `place`, if the
-  /// parameter `size` is free. `place` has an influence only if `size` is not zero. Linear
-  /// parameters are refitted; bending parameters keep their values.
+  /// Returns how far the misfit falls if the linear parameter `size` is fitted, for each value in
+  /// `tried` of the bending parameter `place`. `place` has an influence only if `size` is not zero.
+  /// The other linear parameters are refitted; the other bending parameters keep their values.
   [[nodiscard]] std::vector<double> falls(Eigen::VectorXd values, std::size_t size,
                                           std::size_t place,
                                           const std::vector<double>& tried) const;
-  /// Returns the derivatives of all means with respect to all parameters.
+  /// Returns the derivatives of the predicted means with respect to the parameters (means x
+  /// parameters).
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const;
 
   static constexpr double usual_ridge = 1e-6;

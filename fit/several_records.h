@@ -9,18 +9,18 @@
 
 namespace raceway::fit {
 
-/// One model for several joined records (record::joined()). Own parameters, such as the oil and the
-/// temperature of a day, have a separate value in each record. All other parameters and every
-/// candidate are common to all records. The loop treats the joined model as one subject with one
-/// record.
+/// One model for several joined records (record::joined()). Own parameters have a separate value in
+/// each record, for example the oil or the temperature of a day. All other parameters and all
+/// candidates are common to all records. For calibrate(), diagnose() and add(), it is one model
+/// with one record.
 ///
-/// An own parameter is called "name@record", for example "f0@monday", and replaces the shared
-/// parameter. Without declared standard deviations, the noise has one shape for all records, and a
-/// size for each record if their scatter differs (NoiseModel::records).
+/// The value of the own parameter f0 in the record "monday" is called "f0@monday". Without declared
+/// standard deviations, all records have the same noise model, with a factor for each record if
+/// their scatter differs (NoiseModel::records).
 class SeveralRecords : public Subject {
  public:
-  /// `record` is a joined record. `own` lists parameters that become free for each record, even if
-  /// they are fixed in the model. Throws the same exceptions as find_parameters().
+  /// `record` is a joined record. `own` names the own parameters. They become free, even if they
+  /// are fixed in the model. Throws std::invalid_argument as find_parameters() does.
   SeveralRecords(std::shared_ptr<const Subject> model, const Record& record,
                  std::vector<std::string> own);
 
@@ -36,9 +36,9 @@ class SeveralRecords : public Subject {
   /// shared parameters are unchanged. The name is empty for a parameter of another record.
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
-  /// Returns a subject in which data that may differ between records, such as the oil
-  /// (Candidate::of_each_record), are also own parameters. Null without own parameters, if no datum
-  /// may differ, or if the records do not determine these data.
+  /// Returns a model in which data that may differ between records (Candidate::of_each_record),
+  /// such as the oil, are also own parameters. Returns null without own parameters, and if there
+  /// are no such data that the record can determine.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 
@@ -50,7 +50,7 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Predictor> predictor(
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// Returns a copy whose model knows values of all records together, such as the temperature of
+  /// Returns a copy whose model stores facts about all records together, such as the temperature of
   /// the coldest row; null if the model needs none.
   [[nodiscard]] std::unique_ptr<Subject> informed_by(const Record& record) const override;
 
@@ -66,8 +66,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Subject> without_free_candidates() const override;
   [[nodiscard]] std::unique_ptr<Subject> with_shape(const std::string& id,
                                                     const Shape& shape) const override;
-  /// Returns the other base models. A base model that lacks an own parameter has no subject, and
-  /// OtherBase::lacks gives the reason.
+  /// Returns the other base models. If a base model does not have an own parameter, its
+  /// OtherBase::subject is null, and OtherBase::lacks gives the reason.
   [[nodiscard]] std::vector<OtherBase> other_bases() const override;
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string correction(const std::string& id,
@@ -76,16 +76,16 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::string lacks_levels(const std::string& id,
                                          const Record& record) const override;
 
-  /// Returns the saturated regression of the model. Each record after the first has an additional
-  /// constant and, for every input, an additional slope.
+  /// Returns the terms of Judged::saturation() for the model. Each record after the first gets an
+  /// additional constant and, for every input, an additional slope.
   [[nodiscard]] Saturation saturation(const Record& record) const override;
   [[nodiscard]] std::vector<const Channel*> scattering(const Record& record) const override;
   [[nodiscard]] std::vector<Factor> factors(const Record& record) const override;
   [[nodiscard]] std::optional<Formula> formula(const Record& record) const override;
-  /// Returns the blockings of the model. Without own parameters, whole records are also held out if
-  /// there are three or more. With own parameters, a blocking is left out if one of its blocks
-  /// contains a whole record, because other records do not determine the own parameters of that
-  /// record.
+  /// Returns the blockings of the model. If there are no own parameters and at least three records,
+  /// another blocking holds out whole records. With own parameters, a blocking is left out if one
+  /// of its blocks contains a whole record, because the other records do not determine the own
+  /// parameters of that record.
   [[nodiscard]] std::vector<Blocking> blockings(const Record& record) const override;
   [[nodiscard]] std::string doubt(const Record& record,
                                   std::span<const double> predicted) const override;

@@ -10,18 +10,19 @@
 namespace raceway::fit {
 
 /// Sample points for the Sobol' indices of a function: two sets A and B of points in the unit cube.
-/// For every input i, the set AB_i is A with column i of B.
+/// For every input i, the set AB_i consists of the points of A, with input i replaced by the value
+/// in B.
 ///
 /// The points are Sobol' points in 2 x inputs dimensions with the direction numbers of Joe and Kuo.
-/// The first half of the dimensions gives A, the second half gives B. Owen scrambling uses the hash
-/// of Burley.
+/// The first half of the dimensions gives A, the second half gives B. The points are randomised by
+/// Owen scrambling with the hash of Burley.
 ///
 /// Source:   [Saltelli2010] for the sets; [JoeKuo2008]; [Burley2020, section 3].
 /// Domain:   1 to 1800 inputs; the number of samples is a power of two from 2 to 2^24, because only
 ///           powers of two fill the cube evenly.
 class SobolDesign {
  public:
-  /// Throws std::invalid_argument outside the domain. A seed always gives the same points.
+  /// Throws std::invalid_argument outside the domain. Equal arguments give equal points.
   SobolDesign(std::size_t inputs, std::size_t samples, std::uint64_t seed);
 
   [[nodiscard]] std::size_t inputs() const { return inputs_; }
@@ -37,29 +38,31 @@ class SobolDesign {
   std::vector<std::uint32_t> points_;  // sample by sample, A before B
 };
 
-/// Shares of the variance of a function that one input causes [1]. Each error is half the width of
-/// a 95 % interval.
+/// Shares of the variance of a function that one input causes [1]. `first_error` and `total_error`
+/// are half the width of a 95 % interval.
 struct SobolIndex {
-  double first = unset, first_error = unset;  ///< share of this input without interactions
-  /// Share including all interactions with other inputs.
+  double first = unset, first_error = unset;  ///< share of this input alone
+  /// Share of this input and of all its interactions with other inputs.
   double total = unset, total_error = unset;
 };
 
 struct SobolIndices {
   /// Number of samples whose values are all finite. Other samples are not used.
   std::size_t complete = 0;
-  double mean = unset, std = unset;  ///< mean and standard deviation over A and B
-  std::vector<SobolIndex> inputs;    ///< NaN if the function is constant or has no values
+  double mean = unset, std = unset;  ///< mean and standard deviation of the function over A and B
+  /// One entry for each input; NaN if the function is constant or has no finite values.
+  std::vector<SobolIndex> inputs;
 };
 
-/// Computes the indices of a function from its values at all points of a design, in their order.
+/// Computes the Sobol' indices of a function. `values` are its values at the points of `design`, in
+/// the order of the evaluations.
 ///
 ///   S_i  = mean(f_B (f_AB_i - f_A)) / V        f less its mean
 ///   ST_i = mean((f_A - f_AB_i)²) / (2 V)       V: variance of f over A and B
 ///
-/// Errors are 1.96 times the scatter over 200 bootstrap resamplings of the samples. The bootstrap
-/// assumes independent samples. Sobol' points are distributed more evenly than independent samples,
-/// so the errors are slightly too large.
+/// The errors of the indices are 1.96 times their standard deviation over 200 bootstrap resamplings
+/// of the samples. The bootstrap assumes independent samples, but Sobol' points are distributed
+/// more evenly. The errors are therefore slightly too large.
 ///
 /// Source:   S_i [Saltelli2010, table 2 (b)]; ST_i [Jansen1999], [Saltelli2010, table 2 (f)];
 ///           bootstrap of indices [Archer1997].

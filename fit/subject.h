@@ -10,9 +10,9 @@
 #include "record/parameter.h"
 #include "record/record.h"
 
-/// Interface between models and the loop: calibrate(), diagnose() and add(). The loop compares a
-/// model with measurements and finds the missing effect. The loop handles records, channels and
-/// parameters without knowledge of their physical meaning.
+/// Interface between models and the functions calibrate(), diagnose() and add() (loop/loop.h).
+/// These functions compare a model with measurements and find the missing effect. They need no
+/// knowledge of the physical meaning of channels and parameters.
 namespace raceway::fit {
 
 using record::Bound;
@@ -20,45 +20,46 @@ using record::Interval;
 using record::NamedValue;
 using record::Parameter;
 
-/// A channel that a model predicts, and prior knowledge about the readings of this channel.
+/// Channel that a model predicts, and properties of its readings that are known before a fit.
 struct Measured {
   const Channel* channel = nullptr;
-  /// Size of a reading, relative to the rms of all readings, below which the scatter no longer
-  /// falls with the reading. The value is 1 for a sensor whose scatter does not depend on the
-  /// reading.
+  /// Size of a reading, divided by the RMS of all readings, below which the scatter no longer falls
+  /// with the reading [1]. It is 1 for a sensor whose scatter does not depend on the reading.
   double floor = 1.0;
-  /// Largest relative scatter of the sensor at equal settings. Larger scatter comes from an input
-  /// that was not recorded. NaN if unknown.
+  /// Largest relative standard deviation of the sensor at equal settings [1]. A larger scatter
+  /// comes from an input that was not recorded. NaN if unknown.
   double most_scatter = unset;
-  /// Declared error of the model itself [SI]. Residuals up to this size count as noise. For a model
-  /// that only approximates, such residuals count as within the tolerance.
+  /// Declared error of the model itself [SI]. It is added to the noise as an independent scatter.
+  /// For a model that only approximates, it is part of the calculated tolerance (tolerance_of()).
   double model_error = 0.0;
-  /// Standard deviation of a single reading, if the model declares it [SI].
+  /// Standard deviation of a single reading [SI]; NaN if the model does not declare it.
   double std = unset;
-  /// Initial state of the simulation in the words of the results ("rest"); empty if there is none.
+  /// Initial state of the simulation, as results name it ("rest"); empty without a simulation.
   std::string_view begins = {};
-  /// True if the residuals remain correlated in time, whatever effect is added (see
-  /// Subject::approximates()). Tests against noise are then meaningless.
+  /// True if the residuals remain correlated in time, even with additional effects (see
+  /// Subject::approximates()). Tests against the noise of readings are then meaningless.
   bool approximate = false;
-  /// True if the zero of the readings has no meaning. Errors are then given after subtracting the
-  /// mean error.
+  /// True if the zero of the readings is arbitrary. The mean error is then subtracted from the
+  /// errors.
   bool any_zero = false;
-  /// Errors below this tolerance do not matter to users of the model [SI]; NaN if not given.
+  /// RMS error that is acceptable to users of the model [SI]; NaN if not given.
   double tolerance = unset;
 };
 
 /// Predicts the readings of one record repeatedly, with different parameter values. A predictor
-/// owns a copy of the model and stores results that a parameter does not change. Rows may be
-/// independent or form one simulation over time.
+/// owns a copy of the model. It stores intermediate results that do not depend on the changed
+/// parameters.
 class Predictor {
  public:
   virtual ~Predictor() = default;
-  /// Writes the readings of every measured channel at every row, channel by channel [SI]. Missing
-  /// readings are NaN; all are NaN for parameter values that the model rejects.
+  /// Writes the predicted reading of every measured channel at every row to `out`, channel by
+  /// channel [SI]. `values` are the parameter values. A row without prediction gets NaN. All rows
+  /// get NaN if the model rejects the values.
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
-  /// Returns false only if `parameter` never changes the readings per unit of the linear parameter
-  /// `of`. If `of` is `none`, the readings with all linear parameters at zero are meant.
-  /// `parameter` and `of` are indices of the names given to predictor(). Default: true.
+  /// Returns false only if `parameter` never changes the derivative of the readings with respect to
+  /// the linear parameter `of`. If `of` is `none`, this applies to the readings with all linear
+  /// parameters at zero. `parameter` and `of` are indices of the names given to predictor().
+  /// Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
     (void)parameter, (void)of;
     return true;
@@ -66,33 +67,34 @@ class Predictor {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
-/// An effect that may be missing in a model, or a datum that may be wrong.
+/// Effect that may be missing in a model, or datum that may be wrong.
 struct Candidate {
   std::string id;
   std::vector<Parameter> parameters{};  ///< parameters, named "id.name"
-  /// Index of the parameter that is the size. At `neutral`, the candidate has no effect.
+  /// Index of the parameter that gives the candidate its size. If it is at Parameter::neutral, the
+  /// candidate changes nothing.
   std::size_t size = 0;
-  /// True if the candidate corrects the law of the subject itself. Such candidates are tried before
+  /// True if the candidate corrects the base law of the model. Such candidates are preferred to
   /// physical effects.
   bool base_law = false;
-  bool of_the_user = false;     ///< true: a user-defined effect, whose usual size is unknown
+  bool of_the_user = false;     ///< true: a user-defined effect, whose typical size is unknown
   bool empirical = false;       ///< true: a shape that describes the misfit without a physical law
-  bool of_each_record = false;  ///< true: a datum that may differ between several records
-  bool of_time = false;         ///< true: depends on the time of a row
-  /// Allowed values of each parameter, rising. An empty list, or an empty entry for one parameter,
-  /// allows all values within its bounds. In a model that only approximates, a parameter with a
-  /// list gives the place at which the preceding linear parameter acts, such as the time of a jump.
-  /// The second and further places of one candidate are used only if they are needed.
+  bool of_each_record = false;  ///< true: a datum that may differ between joined records
+  bool of_time = false;         ///< true: the effect depends on the time of a row
+  /// Allowed values of each parameter, in ascending order. An empty list, or an empty entry for one
+  /// parameter, allows all values within its bounds. In a model that only approximates, a parameter
+  /// with allowed values is a point, such as the time of a jump, at which the preceding linear
+  /// parameter acts. A second or further point of one candidate is used only if it is needed.
   std::vector<std::vector<double>> only{};
   /// True if the candidate only corrects this record and does not apply to other records.
   bool of_reading = false;
-  /// True if the driving column is part of the name of the candidate. Two candidates of one kind
-  /// are then two different explanations.
+  /// True if the id names the column of the record that drives the candidate. Two candidates with
+  /// different columns are then different explanations.
   bool by_column = false;
   /// Name of the datum that is wrong if this candidate explains a misfit ("the oil card"); empty
   /// for a missing effect.
   std::string datum{};
-  /// Place where the candidate acts, in a subject with several places for this kind of candidate:
+  /// Place where the candidate acts, if the model has several places for this kind of candidate:
   /// {"channel", "ambient"}.
   std::vector<std::pair<std::string, std::string>> acts_on{};
 
@@ -102,33 +104,34 @@ struct Candidate {
   }
 };
 
-/// Formula of the inputs that describes the misfit, ready to be written as a user-defined effect.
+/// Power law of the inputs that describes the misfit, as a user-defined effect of a model file.
 struct Shape {
-  std::string key;  ///< key in the file
+  std::string key;  ///< key of the formula in the model file
   std::string formula;
   std::vector<Parameter> coefficients;
-  std::string statement;           ///< sign of the shape, and where the shape is largest
-  double explained_share = unset;  ///< share of the squared misfit beyond the noise [1]
-  double gain = unset;             ///< fall of -2 ln L against the model without the shape
+  std::string statement;  ///< text: sign of the formula, and the inputs at which it is largest
+  /// Share of the squared misfit beyond the noise that the formula explains [1].
+  double explained_share = unset;
+  double gain = unset;  ///< fall of -2 ln L relative to the model without the formula
 };
 
 class Subject;
 
-/// Another base model that may replace the base model of a subject.
+/// Another base law that may replace the base law of a model.
 struct OtherBase {
   std::string id;     ///< id for add()
   std::string words;  ///< name in model files
-  /// Subject with this base model and its usual parameters free; null if data are missing (see
+  /// Model with this base law and its usual parameters free; null if data are missing (see
   /// `lacks`).
   std::shared_ptr<const Subject> subject{};
-  std::string lacks{};  ///< data that this base model needs and that the subject lacks
-  /// True if the exponents are fitted too. Such a base model only describes the data and is used
-  /// only if no law fits equally well.
+  std::string lacks{};  ///< data that this base law needs and that the model lacks
+  /// True if exponents of the base law are fitted too. Such a law only describes the data and is
+  /// used only if no other law fits equally well.
   bool fitted_form = false;
 };
 
-/// Interface of a model for the loop: its predictions, its parameters, and candidates for missing
-/// effects. All rows refer to the record that is passed in.
+/// Interface of a model for calibrate(), diagnose() and add(): its predictions, its parameters, and
+/// candidates for missing effects.
 class Subject : public Judged {
  public:
   // Predictions.
@@ -138,25 +141,25 @@ class Subject : public Judged {
   /// Returns true if a reading depends on earlier rows. Rows are then neither sorted nor left out
   /// before the prediction.
   [[nodiscard]] virtual bool has_memory() const { return false; }
-  /// Returns true if the model only approximates: its residual is always larger than the sensor
-  /// noise and correlated in time, whatever effect is added. The fit gives all rows equal weight,
-  /// and the verdict uses the error on held-out parts of the record.
+  /// Returns true if the model only approximates the readings: even with additional effects, its
+  /// residual is larger than the sensor noise and correlated in time. The fit gives all rows equal
+  /// weight, and the verdict uses the error on held-out parts of the record.
   [[nodiscard]] virtual bool approximates() const { return false; }
-  /// Returns true if a prediction is so slow that a fit can afford dozens of them, not thousands.
-  /// The fit then uses one start, few derivatives, and linearised held-out errors. Only subjects
-  /// that approximate may return true.
+  /// Returns true if a prediction is so slow that a fit can use only dozens of predictions, not
+  /// thousands. The fit then uses one start, few derivatives, and linearised held-out errors. Only
+  /// subjects that approximate may return true.
   [[nodiscard]] virtual bool is_costly() const { return false; }
-  /// Returns data that the predictors of one record may share.
+  /// Returns intermediate results that all predictors for this record share; may be null.
   [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
-  /// Creates a predictor for these values of the named parameters. `prepared` may be null.
-  /// `prepared` and the record must live longer than the predictor.
+  /// Creates a predictor whose arguments are values of the parameters `names`. `prepared` is the
+  /// result of prepare() or null. `prepared` and the record must live longer than the predictor.
   [[nodiscard]] virtual std::unique_ptr<Predictor> predictor(
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const = 0;
 
-  /// Returns a copy that knows values of the whole record, for example the temperature of the
-  /// coldest row; null if the subject needs none. The loop calls this function once, before it
-  /// removes rows. Default: null.
+  /// Returns a copy that stores facts about the whole record, for example the temperature of the
+  /// coldest row; null if the model needs none. It is called once, before rows are removed.
+  /// Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> informed_by(const Record& record) const;
 
   // Parameters.
@@ -168,33 +171,34 @@ class Subject : public Judged {
 
   // Candidates for missing effects.
   [[nodiscard]] virtual std::vector<Candidate> candidates() const = 0;
-  /// Returns all known ids, including effects that cannot be missing here. Default: the candidates.
+  /// Returns the ids of all known effects, including effects that the model already has or
+  /// excludes. Default: the candidates.
   [[nodiscard]] virtual std::vector<std::string> catalogue() const;
   /// Returns a copy with these candidates switched on, in this order, at their initial values.
   /// Throws std::invalid_argument for an id that is not a candidate; the message gives the nearest
   /// names.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_candidates(
       std::span<const std::string> ids) const = 0;
-  /// Returns a copy in which candidates with a free parameter are switched off. These effects
-  /// become candidates again, because the record must still determine them. The result is null if
-  /// there are none. Default: null.
+  /// Returns a copy without the effects that have a free parameter. They become candidates again,
+  /// because the record must still determine them. Returns null if there are no such effects.
+  /// Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
-  /// Returns a copy with a shape as an additional candidate with this id, switched off. The
-  /// parameters of the candidate start at the values of the shape. The result is null if the model
-  /// supports no formula. Default: null.
+  /// Returns a copy with a formula as an additional candidate with this id, switched off. The
+  /// parameters of the candidate start at Shape::coefficients. Returns null if the model supports
+  /// no formulas. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_shape(const std::string& id,
                                                             const Shape& shape) const;
-  /// Returns base models that may replace the base model of the subject. Default: none.
+  /// Returns base laws that may replace the base law of the model. Default: none.
   [[nodiscard]] virtual std::vector<OtherBase> other_bases() const;
   /// Explains in one sentence why an id of catalogue() cannot act in this model, for any record.
   /// The text is empty if the effect can act. Default: empty.
   [[nodiscard]] virtual std::string rules_out(const std::string& id) const;
-  /// Describes the corrected datum if the candidate is a datum, for these parameter values.
-  /// Default: an empty text.
+  /// Returns a text with the corrected datum for these parameter values; empty if the candidate is
+  /// not a datum. Default: empty.
   [[nodiscard]] virtual std::string correction(const std::string& id,
                                                std::span<const double> values) const;
 
-  /// Default: none if readings depend on earlier rows, otherwise the axes of Judged.
+  /// Returns an empty list if readings depend on earlier rows, otherwise Judged::axes().
   [[nodiscard]] std::vector<Axis> axes(const Record& record) const override;
 };
 
@@ -204,8 +208,8 @@ class Subject : public Judged {
 [[nodiscard]] std::vector<Parameter> find_parameters(const Subject& subject,
                                                      const std::vector<std::string>& names);
 
-/// Returns the readings of every measured channel at every row for the current parameter values,
-/// channel by channel [SI].
+/// Returns the predicted reading of every measured channel at every row, channel by channel [SI].
+/// The parameters have the values of the model.
 [[nodiscard]] std::vector<double> predict(const Subject& subject, const Record& record);
 
 }  // namespace raceway::fit

@@ -5,22 +5,22 @@
 
 namespace raceway::fit {
 
-/// Position of each reading in time, for correlated noise. Vectors follow the order of the
-/// readings.
+/// Position of each reading in time, in runs and in dwells, for correlated noise. Each vector has
+/// one entry for each reading.
 struct RowOrder {
-  /// Time since the previous row, in units of the median step [1]. The value is infinite for the
-  /// first row and for every row that is not correlated with the previous row.
+  /// Time since the previous row, divided by `median_step` [1]. It is infinite for the first row
+  /// and for every row that is not correlated with the previous row.
   std::vector<double> step;
-  std::vector<bool> new_run;    ///< the row and its predecessor belong to different runs
-  std::vector<bool> new_state;  ///< the row and its predecessor belong to different dwells
+  std::vector<bool> new_run;    ///< true if the row and the previous row belong to different runs
+  std::vector<bool> new_state;  ///< true if the row and the previous row belong to different dwells
   /// True if the row begins a block that may be an undeclared run. The vector is empty if there are
   /// no such blocks.
   std::vector<bool> new_block;
-  /// True if in each of these blocks the swept input (the first setting) moves in one direction,
-  /// and another setting has a level that no other block has.
+  /// True if the first setting only rises or only falls in each of these blocks, a load has a
+  /// different level in each block, and recorded times show longer breaks between blocks.
   bool own_levels = false;
-  double median_step = 1.0;  ///< unit of the steps [s]
-  bool has_time = false;     ///< true if the steps are real times
+  double median_step = 1.0;  ///< median time between rows [s]; 1 without times
+  bool has_time = false;     ///< true if `step` comes from recorded times
   bool has_runs = false;     ///< true for two or more runs
   bool has_states = false;   ///< true if at least one dwell has several rows
 };
@@ -32,32 +32,33 @@ struct RowOrder {
 /// e_i is the noise of reading i, s_i [SI] its standard deviation, and t_i its time in units of the
 /// median step. The noise is a first-order autoregression along time with the correlation φ, plus
 /// one offset for all rows of a run and one offset for all rows of a dwell. g and h are the shares
-/// of these offsets in the variance. If the run offset of each reading is proportional to s_i, r_i
-/// is 1. If the sensor is set to zero before each run, the offset is equal for all readings of the
-/// run. Then r_i = u/s_i with the size u of the run offsets [SI], and the variance of a reading
-/// differs from s_i². A reading may have a white part that is independent of its neighbours. Then
-/// c_i s_i replaces s_i in the correlated part, and the variance of the white part is
+/// of the run offsets and the dwell offsets in the variance. If the run offset of each reading is
+/// proportional to s_i, r_i is 1. If the sensor is set to zero before each run, the offset is equal
+/// for all readings of the run: r_i = u/s_i with the size u of the run offsets [SI], and the
+/// variance of a reading differs from s_i². A part of the noise may be independent of neighbours.
+/// In the correlation above, c_i s_i then replaces s_i, and the variance of the independent part is
 /// s_i² (1 - c_i²).
 ///
-/// The result consists of the innovations of the Kalman filter with these states, divided by the
-/// standard deviations of the innovations. The transformation is exact and needs time and memory
-/// proportional to the number of rows.
+/// The transformed readings are the innovations of a Kalman filter, divided by their standard
+/// deviations. The state of the filter is the autoregression and both offsets. The transformation
+/// is exact and needs time and memory proportional to the number of rows.
 class Whitening {
  public:
   Whitening() = default;
-  /// The correlation φ, run_share g and state_share h are in [0, 1), and g + h is below 1. `common`
-  /// has c_i of each reading, in (0, 1]; an empty vector means 1. `run_unit` is u [SI]; 0 means
-  /// that r_i is 1.
+  /// `std` contains s_i [SI]. `correlation` is φ, `run_share` is g and `state_share` is h; all are
+  /// in [0, 1), and g + h is below 1. `common` contains c_i, in (0, 1]; if it is empty, c_i is 1.
+  /// `run_unit` is u [SI]; if it is 0, r_i is 1.
   Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share,
             double state_share = 0.0, const Eigen::VectorXd& common = {}, double run_unit = 0.0);
-  /// Combines several channels in sequence, with independent noise.
+  /// Combines the whitenings of several channels, whose readings follow one another and have
+  /// independent noise.
   explicit Whitening(const std::vector<Whitening>& parts);
 
   [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& column) const;
-  /// Returns a whitening whose standard deviations are multiplied by a factor.
+  /// Returns a whitening with all standard deviations multiplied by a factor.
   [[nodiscard]] Whitening scaled(double factor) const;
-  /// Returns ln of the determinant of the covariance.
+  /// Returns ln of the determinant of the covariance matrix of the readings [SI].
   [[nodiscard]] double log_determinant() const { return log_determinant_; }
   [[nodiscard]] const Eigen::VectorXd& std() const { return std_; }
 

@@ -15,39 +15,42 @@ namespace raceway::record {
 enum class Role {
   setting,    ///< set by the operator; may explain a reading
   recorded,   ///< recorded but not set; may explain a reading
-  measured,   ///< measured; a model may predict it
-  deviation,  ///< standard deviation of a measured channel
+  measured,   ///< reading of a sensor; a model may predict it
+  deviation,  ///< standard deviation of the readings of a measured channel
   time,
   run,   ///< index of the run of a row
-  part,  ///< index of the original record of a row, after several were joined
-  kept   ///< recorded under a name unknown to the program; explains no reading
+  part,  ///< index of the original record of a row, if the record was joined from several
+  kept   ///< recorded under a name that the program does not know; no model uses it
 };
 
-/// A quantity that a column can contain. All code that reads, shows or sorts columns uses this
-/// description, so for such code a new quantity needs only one line in the table below.
+/// Quantity that a column of a record can contain. Code that reads, shows or sorts columns uses
+/// only this description.
 struct Channel {
   std::string_view name;             ///< name of the column with its unit at the end: "speed_rpm"
   std::string_view variable = name;  ///< name without unit, as in results: "speed"
   std::string_view words = name;     ///< readable name: "axial load"
   std::string_view unit = {};        ///< readable unit: "N mm"
-  double factor = 1.0;               ///< SI = factor * value + offset
+  double factor = 1.0;               ///< SI value = factor * column value + offset
   double offset = 0.0;
   double lower = 0.0, upper = 0.0;  ///< lowest and highest allowed value, in the unit of the column
   Role role = Role::setting;
-  /// Values with a smaller difference belong to one level. The step is a share of the largest value
-  /// if `ratio` is set, otherwise it is in SI.
+  /// Largest difference between neighbouring values of one level: in SI units, or relative to the
+  /// largest value [1] if `ratio` is true.
   double step = 0.0;
-  bool ratio = false;  ///< true: differences are relative to the size of the values
-  /// Channels of one kind have a common scale: the largest value among them. Small differences
-  /// relative to this scale do not count.
+  bool ratio = false;  ///< true: `step` is relative to the largest value
+  /// Kind of quantity, such as "load". In find_repeats(), tolerances are relative to the largest
+  /// value of all channels of one kind.
   std::string_view kind = {};
-  std::string_view place = {};      ///< text after a value of the channel: "rpm", "N axial load"
-  std::string_view of = {};         ///< measured channel to which a deviation belongs
-  std::string_view direction = {};  ///< meaning of the sign of a measured channel
+  /// Text that the program prints after a value: "rpm", "N axial load".
+  std::string_view place = {};
+  /// Name of the measured channel, if this channel is its standard deviation.
+  std::string_view of = {};
+  /// Text about the sign of a measured channel: "positive towards the tool".
+  std::string_view direction = {};
 
   [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
-  /// Returns the unit in the form of column names and keys: "Nmm".
+  /// Returns the unit as column names and keys spell it: "Nmm".
   [[nodiscard]] constexpr std::string_view key_unit() const {
     return name.size() > variable.size() ? name.substr(variable.size() + 1) : std::string_view();
   }
@@ -60,7 +63,7 @@ struct Channel {
 
 inline constexpr double endless = std::numeric_limits<double>::max();
 
-/// The table of quantities. The first setting is the input that records usually sweep.
+/// All quantities with a fixed name. The first is the speed, which most records sweep.
 inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .variable = "speed",
                                              .words = "speed",
@@ -202,7 +205,8 @@ inline constexpr const Channel& axial_displacement = *find_channel("axial_displa
 inline constexpr const Channel& torque_deviation = *find_channel("std_Nmm");
 inline constexpr const Channel& displacement_deviation = *find_channel("std_um");
 
-/// Index of the original record of a row, after several were joined. Files do not have this column.
+/// Index of the original record of each row in a record from joined(). Files do not have this
+/// column.
 inline constexpr Channel part{.name = "record", .words = "record", .role = Role::part, .step = 0.5};
 
 }  // namespace raceway::record

@@ -8,27 +8,28 @@
 
 namespace raceway::record {
 
-/// Error in a formula, with its position.
+/// Exception for an invalid formula. It gives the position of the error.
 struct FormulaError : std::invalid_argument {
   FormulaError(const std::string& what, std::size_t where, std::string which)
       : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}
-  std::size_t position;      ///< position in the formula [byte]
-  std::string unknown_name;  ///< the unknown name; empty for other errors
+  std::size_t position;      ///< number of bytes before the error in the formula
+  std::string unknown_name;  ///< name that is not defined; empty for other errors
 };
 
-/// A user-defined formula with operators and functions of muParser. Several threads may evaluate
-/// one formula at the same time.
+/// User-defined formula with the operators and functions of the library muParser. Several threads
+/// may evaluate one formula at the same time.
 class Expression {
  public:
-  /// Throws FormulaError for an invalid formula and for an unknown name.
+  /// `names` are the variables that the formula may use. Throws FormulaError for an invalid formula
+  /// and for any other variable.
   Expression(std::string text, std::vector<std::string> names);
   ~Expression();
 
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Returns the indices of the names that the formula uses, in ascending order.
+  /// Returns the indices in `names` of the variables that the formula uses, in ascending order.
   [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
-  /// Evaluates the formula. `values` are the values of the used names, in the order of used(). The
-  /// result is NaN where the formula has no value, for example outside the domain of a function.
+  /// Evaluates the formula. `values` are the values of the variables in used(), in the same order.
+  /// The result is NaN if the formula has no value, for example outside the domain of a function.
   [[nodiscard]] double operator()(std::span<const double> values) const;
 
  private:

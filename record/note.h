@@ -7,26 +7,27 @@
 
 namespace raceway::record {
 
-/// Place in the user's input. Unknown parts are empty or 0.
+/// Place in a file or command of the user. A member that is unknown is empty or 0.
 struct Place {
   std::string file = {};
   int line = 0;          ///< line number, starting at 1
-  std::string key = {};  ///< key of a model file, column, or flag
+  std::string key = {};  ///< name of a key, a column or a flag
 
   [[nodiscard]] std::string text() const { return file + ":" + std::to_string(line); }
 };
 
 enum class NoteKind {
-  note,     ///< for information
-  doubt,    ///< a doubt about an input that may be wrong
-  warning,  ///< a warning about a doubtful result
+  note,     ///< the program informs about its treatment of the input
+  doubt,    ///< an input may be wrong
+  warning,  ///< a result may be wrong or incomplete
 };
 
 [[nodiscard]] std::string_view name(NoteKind kind);
 
 struct Note;
 
-/// Kind of a note. Programs should identify a note by the name of the code, not by the text.
+/// Code of a note, which says what the note is about. Programs should identify a note by the name
+/// of its code, not by its text.
 struct NoteCode {
   std::string_view name;
   NoteKind kind;
@@ -45,7 +46,8 @@ struct Note {
   [[nodiscard]] NoteKind kind() const { return code->kind; }
 };
 
-/// All codes. `raceway::record::note::left_out("3 rows ...")` creates a note.
+/// Codes of all notes. `raceway::record::note::left_out("3 rows ...")` creates a note with the code
+/// left_out.
 namespace note {
 
 inline constexpr NoteCode read_as{"read-as", NoteKind::note,
@@ -119,10 +121,10 @@ inline constexpr NoteCode limits{"limits", NoteKind::warning,
 
 }  // namespace note
 
-/// Returns the codes in the order above.
+/// Returns all codes, in the order of their declarations.
 [[nodiscard]] std::span<const NoteCode* const> note_codes();
 
-/// Returns a note with this code and place for each of `texts`.
+/// Returns one note for each of `texts`. All notes have this code and this place.
 [[nodiscard]] std::vector<Note> notes_of(const NoteCode& code, std::vector<std::string> texts,
                                          const Place& place = {});
 [[nodiscard]] std::vector<std::string> texts(const std::vector<Note>& notes);

@@ -8,13 +8,13 @@
 
 namespace raceway::record {
 
-/// Description of a parameter of a law or an effect. Values are in the unit of the files, given by
-/// `unit` and by the ending of `name`.
+/// Description of a parameter of a law or an effect. All values are in `unit`, the unit of the
+/// model files.
 struct NumberCard {
   std::string_view name;
   std::string_view unit;                                    ///< "1" if dimensionless
   double initial;                                           ///< default value and start of a fit
-  double lower, upper;                                      ///< closed bounds for fits and files
+  double lower, upper;                                      ///< smallest and largest allowed value
   double plausible_lower = lower, plausible_upper = upper;  ///< range seen in practice
   /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
   /// the effect.
@@ -29,40 +29,45 @@ struct Interval {
   double lower = unset, upper = unset;
 };
 
-/// Prior knowledge of a parameter from a computation or another measurement, with its standard
-/// uncertainty.
+/// Value of a parameter and its standard uncertainty, known from a computation or another
+/// measurement.
 struct Prior {
   double value = unset, std = unset;
 
   [[nodiscard]] bool is_known() const { return std > 0.0; }
 };
 
-/// A parameter of a model before and after a fit, in the unit of the files.
+/// Parameter of a model before and after a fit. All values are in `unit`.
 struct Parameter {
   std::string name;  ///< readable name: "f0", "my-effect.c"
   std::string unit;  ///< "1" if dimensionless
   /// Addresses in the model file: "friction.f0", or "effect.2.c" for the third effect. A parameter
   /// that represents several equal values has several addresses.
   std::vector<std::string> addresses{};
-  double start = unset;                 ///< value in the model and start of a fit
-  double value = unset;                 ///< fitted value; the start if not fitted
-  double initial = unset;               ///< default value in the law
-  double lower = unset, upper = unset;  ///< closed bounds
+  double start = unset;    ///< value in the model file; a fit starts from it
+  double value = unset;    ///< fitted value; equal to `start` if the parameter was not fitted
+  double initial = unset;  ///< default value in the law
+  double lower = unset, upper = unset;                      ///< closed bounds
   double plausible_lower = unset, plausible_upper = unset;  ///< range seen in practice
-  double neutral = unset;  ///< value without influence; NaN if it changes only a shape
-  /// True if the readings are linear in the parameter while all others are fixed. The readings are
-  /// also linear in all such parameters together.
+  /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
+  /// the effect.
+  double neutral = unset;
+  /// True if the predicted readings are linear in this parameter while all others are fixed. They
+  /// are then also linear in all such parameters together.
   bool proportional = false;
-  double scale = 1.0;   ///< typical size, > 0
-  double std = unset;   ///< standard error; NaN at a bound and if the data do not determine it
-  Interval interval{};  ///< 95 % interval by profile likelihood, if requested
+  double scale = 1.0;  ///< typical size, > 0
+  /// Standard error; NaN at a bound, or if the data do not determine the parameter.
+  double std = unset;
+  Interval interval{};  ///< 95 % interval by profile likelihood; NaN if not requested
   Bound at_bound = Bound::none;
-  /// False if the data do not determine the parameter, or not separately from another one.
-  bool identifiable = true;
-  Prior prior{};  ///< prior; used only for models that only approximate
-  /// True if the parameter stays at its start because another parameter has the same influence.
-  /// Also true if the parameter stays at its prior because the record does not determine the
+  /// False if the data do not determine the parameter, or cannot separate it from another
   /// parameter.
+  bool identifiable = true;
+  /// Known value before the fit; used only for models that approximate (Subject::approximates()).
+  Prior prior{};
+  /// True if the fit does not change the parameter. The parameter stays at `start` if other
+  /// parameters have the same influence, or at the value of `prior` if the record does not
+  /// determine it.
   bool held = false;
   bool plausible = true;  ///< false if the value is too far outside the range seen in practice
 };
@@ -73,8 +78,9 @@ struct NamedValue {
   double value = unset;
 };
 
-/// Returns a typical size of a parameter that starts at `start`. Fits divide the parameter by this
-/// size, so that its values are of order one.
+/// Returns a typical size of a parameter: the larger of |`start`| and |`initial`|. If both are 0,
+/// the size is a hundredth of the range from `lower` to `upper`, or 1 without a finite range. A fit
+/// divides the parameter by this size.
 [[nodiscard]] double typical_size(double start, double initial, double lower, double upper);
 
 }  // namespace raceway::record

@@ -13,39 +13,44 @@ namespace raceway::record {
 /// Values of one channel, one for each row of a record.
 struct Column {
   const Channel* channel = nullptr;
-  std::vector<double> values;  ///< [SI]; NaN without a reading
-  /// True if the deviation comes from a regression over many more samples than rows. The deviation
-  /// then counts as known.
+  std::vector<double> values;  ///< value in each row [SI]; NaN if the row has no value
+  /// True if the column contains standard deviations from a regression over many more samples than
+  /// rows. They are then treated as exact.
   bool known = false;
 };
 
-/// One of several joined records.
+/// One of the records from which joined() made a record.
 struct Part {
-  std::string name;    ///< "monday" for data/monday.csv
+  std::string name;    ///< name in messages: "monday" for data/monday.csv
   std::string source;  ///< file name, for messages
 };
 
-/// Rows between which a setting of a time record is valid. Settings are all inputs that are
-/// constant between rows, such as speeds, loads and the coolant state.
+/// Interval of rows in which a setting of a time record is valid. Settings are all inputs that are
+/// constant between rows, such as speeds, loads and coolant on or off.
 enum class SettingsHold {
-  sampled,   ///< valid from its row to the next; the reading in the row was taken with this setting
-  from_row,  ///< valid from its row to the next; the reading in the row was taken just before the
-             ///< change
-  until_row,  ///< valid from the previous row to the row of the setting
+  /// Valid from its row to the next row; the reading in its row was taken with this setting.
+  sampled,
+  /// Valid from its row to the next row; the reading in its row was taken just before the setting
+  /// changed.
+  from_row,
+  until_row,  ///< valid from the previous row to its own row
 };
 
-/// Measured data: columns over rows. Rows are identified by their index; line numbers of the file
-/// are only for messages.
+/// Measured data: a column for each quantity, a row for each time or operating point. Rows are
+/// identified by their index; line numbers of the file are only for messages.
 struct Record {
-  std::string source{};             ///< file name, for messages
-  std::vector<Column> columns{};    ///< columns of equal length
-  std::vector<std::string> runs{};  ///< names of the runs; the column `run` contains their indices
-  std::vector<int> lines{};         ///< line of each row in the file; empty if there is no file
-  std::vector<Note> notes{};        ///< notes of the file reader for the user
-  /// True if all readings share one unknown factor.
+  std::string source{};           ///< file name, for messages
+  std::vector<Column> columns{};  ///< columns of equal length
+  /// Names of the runs; the column of the channel `run` contains indices into this list.
+  std::vector<std::string> runs{};
+  std::vector<int> lines{};   ///< line of each row in the file; empty if there is no file
+  std::vector<Note> notes{};  ///< notes of the file reader for the user
+  /// True if the readings have an unknown common factor, as for a coast-down with unknown inertia.
   bool up_to_a_factor = false;
-  SettingsHold settings_hold = SettingsHold::sampled;  ///< only for a time record
-  /// Parts of a record from joined(), with indices in the column `part`; otherwise empty.
+  /// Interval in which a setting is valid; used only in time records.
+  SettingsHold settings_hold = SettingsHold::sampled;
+  /// Original records, if joined() made this record; otherwise empty. The column of the channel
+  /// `part` contains indices into this list.
   std::vector<Part> parts{};
 
   [[nodiscard]] std::size_t rows() const {
@@ -55,25 +60,26 @@ struct Record {
   [[nodiscard]] const Column* find(const Channel& channel) const;
   [[nodiscard]] Column* find(const Channel& channel);
   [[nodiscard]] bool has(const Channel& channel) const { return find(channel) != nullptr; }
-  /// Returns the values by row [SI]; empty without such a column.
+  /// Returns the value of the channel in each row [SI]; empty if the record has no such column.
   [[nodiscard]] std::span<const double> values(const Channel& channel) const;
-  /// Returns the value of a row [SI]; NaN without such a column or without a reading.
+  /// Returns the value of the channel in one row [SI]; NaN if the record has no such column or the
+  /// row has no value.
   [[nodiscard]] double value(const Channel& channel, std::size_t row) const;
-  /// Returns the index of the run of a row; -1 without runs.
+  /// Returns the index of the run of a row; -1 if the row belongs to no run.
   [[nodiscard]] int run_of(std::size_t row) const;
-  /// Returns the index of the part of a row; 0 if the record was not joined.
+  /// Returns the index in `parts` of the original record of a row; 0 if the record was not joined.
   [[nodiscard]] std::size_t part_of(std::size_t row) const;
 
   /// Adds a column or replaces the column of the same channel. Throws std::invalid_argument if the
   /// number of values differs from the number of rows.
   Column& set(const Channel& channel, std::vector<double> values);
 
-  /// Returns true if the values of a channel differ by more than its step, absolute or relative to
-  /// the largest value.
+  /// Returns true if the range of the values exceeds the step of the channel (step_of()).
   [[nodiscard]] bool varies(const Channel& channel) const;
-  /// Returns the deviation of a measured channel; null if the record has none.
+  /// Returns the column with the standard deviations of a measured channel; null if the record has
+  /// none.
   [[nodiscard]] const Column* deviation_of(const Channel& measured) const;
-  /// Returns true if every row has a value of that channel.
+  /// Returns true if every row has a finite value of this channel.
   [[nodiscard]] bool complete(const Channel& channel) const;
 
   /// Returns a record with these rows, in this order.
@@ -84,19 +90,19 @@ struct Record {
   /// Returns the place of a row in words: "line 12" for a file, otherwise "row 3" (counted from 1).
   /// For joined records, the name of the part follows: "line 12 of monday".
   [[nodiscard]] std::string place(std::size_t row) const;
-  /// Returns the line of a row in the file, or the number of the row (counted from 1) if there is
-  /// no file.
+  /// Returns the line number of a row in the file. If there is no file, returns the number of the
+  /// row, counted from 1.
   [[nodiscard]] int line(std::size_t row) const;
 };
 
-/// Joins records of one kind. The result has all rows, record by record, and separate runs for each
-/// record. The records are sorted by their file names, so the order in the argument has no
-/// influence. The result has all columns of any record, with NaN if a record lacks a column. A part
-/// has the name of its source without folder and extension. If two of these names are equal, both
-/// include the folder. A deviation counts as known only if it is known in all records. The result
-/// keeps the notes of all records. Throws std::invalid_argument for fewer than two records, for two
-/// records of one source, for a record whose readings have an unknown factor, and for records with
-/// different `settings_hold`.
+/// Joins records of one kind. The result has the rows of all records, one record after the other.
+/// Runs of different records stay separate. The function sorts the records by `source`, so the
+/// order of the argument has no influence. The result has every column that occurs in any record;
+/// rows of a record without this column get NaN. Part::name is the file name without folder and
+/// extension. If two of these names are equal, both names include the folder. Column::known is true
+/// only if it is true in all records. The result keeps the notes of all records. Throws
+/// std::invalid_argument for fewer than two records, for two records of one source, for a record
+/// with `up_to_a_factor`, and for records with different `settings_hold`.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

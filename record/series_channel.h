@@ -9,41 +9,44 @@ namespace raceway::record {
 
 /// Shape of an input between two rows of a time record.
 enum class Course {
-  straight,  ///< straight line, suitable for temperatures
-  held       ///< constant, suitable for settings of a control
+  straight,  ///< straight line between two rows; used for temperatures
+  held       ///< constant between two rows; used for all other inputs
 };
 
-/// Returns the quantity of a column of a time record; null for an unknown name. Channels are
-/// created when they are first needed, because a machine may have any number of sensors. Names:
+/// Returns the channel of a column of a time record; null for an unknown name. A channel is created
+/// when it is first needed, because a machine may have any number of sensors. Known names:
 /// NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, coolant_on, setup_id, displacement_NAME_um
 /// and _urad, offset_NAME_um and _urad, NAME_position_mm, NAME_current_A, NAME_voltage_V, NAME_W,
-/// NAME_N, NAME_Nm, NAME_l_min, NAME_bar and NAME_percent, and time_s, speed_rpm and run_id from
-/// the table in channel.h. Several threads may call this function at the same time.
+/// NAME_N, NAME_Nm, NAME_l_min, NAME_bar, NAME_percent, time_s, speed_rpm, run_id. Several threads
+/// may call this function at the same time.
 [[nodiscard]] const Channel* series_channel(std::string_view name);
 
 [[nodiscard]] Course course_of(const Channel& channel);
 [[nodiscard]] bool is_temperature(const Channel& channel);
-/// Returns true for inputs that act by their absolute value: speeds, feeds, coolant. All other
-/// inputs act with their sign.
+/// Returns true for speeds, feeds and the coolant. A correction uses the absolute value of these
+/// inputs; it uses all other inputs with their sign.
 [[nodiscard]] bool acts_by_amount(const Channel& channel);
 [[nodiscard]] bool is_position(const Channel& channel);
-/// Kind of offset_NAME_um, the offset that a control applied during the record. The file reader
-/// subtracts this offset from the displacement, so the record does not contain the column.
+/// Channel::kind of the columns offset_NAME_um and offset_NAME_urad: the offset that a machine
+/// control applied while the file was recorded. The file reader subtracts this offset from the
+/// displacement, so a record does not contain the column.
 inline constexpr std::string_view offset_kind = "offset";
 
-/// Returns the channel of one transducer, a length with the name NAME_um. Files have this column
-/// only if a model combines several transducers and names the column.
+/// Returns the channel of a displacement transducer with the column name NAME_um; null for any
+/// other name. Files have this column only if a model calculates a displacement from several
+/// transducers.
 [[nodiscard]] const Channel* transducer_channel(std::string_view name);
 
 /// Returns true for a displacement that is an angle.
 [[nodiscard]] bool is_angle(const Channel& channel);
-/// Converts the unit in a name or a sentence to the unit of a displacement. For a length, the text
-/// is unchanged. For an angle, every unit "um" becomes "urad": "gain_um_K" becomes "gain_urad_K",
-/// and "1.2 um/K" becomes "1.2 urad/K". Both units are a millionth of the SI unit, so numbers do
-/// not change.
+/// Replaces the unit "um" in a name or a sentence by the unit of a displacement. For a length, the
+/// text is unchanged. For an angle, every unit "um" becomes "urad": "gain_um_K" becomes
+/// "gain_urad_K", and "1.2 um/K" becomes "1.2 urad/K". Both units are a millionth of the SI unit,
+/// so the numbers in the text remain correct.
 [[nodiscard]] std::string in_unit_of(const Channel& displacement, std::string_view text);
 
-/// Returns true for an ambient temperature: the name contains the word "ambient", "room" or "air".
+/// Returns true for an ambient temperature: a temperature whose name contains the word "ambient",
+/// "room" or "air".
 [[nodiscard]] bool is_ambient(const Channel& channel);
 
 }  // namespace raceway::record

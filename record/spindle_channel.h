@@ -6,7 +6,7 @@
 
 namespace raceway::record {
 
-/// Recorded heat of a motor [W].
+/// Recorded heat that the motor generates [W].
 inline constexpr Channel motor_heat{.name = "motor_heat_W",
                                     .variable = "motor_heat",
                                     .words = "motor heat",
@@ -17,7 +17,7 @@ inline constexpr Channel motor_heat{.name = "motor_heat_W",
                                     .ratio = true,
                                     .place = "W motor heat"};
 
-/// Recorded electrical input of the motor [W].
+/// Recorded electrical power of the motor [W].
 inline constexpr Channel motor_power{.name = "motor_power_W",
                                      .variable = "motor_power",
                                      .words = "motor power",
@@ -28,8 +28,8 @@ inline constexpr Channel motor_power{.name = "motor_power_W",
                                      .ratio = true,
                                      .place = "W motor power"};
 
-/// Recorded moment at the nose [N m]. A positive moment turns the shaft like a positive radial load
-/// in front of the nose.
+/// Recorded moment at the spindle nose [N m]. A positive moment tilts the shaft like a positive
+/// radial load in front of the nose.
 inline constexpr Channel nose_moment{.name = "moment_Nm",
                                      .variable = "moment",
                                      .words = "moment at the nose",
@@ -40,7 +40,7 @@ inline constexpr Channel nose_moment{.name = "moment_Nm",
                                      .ratio = true,
                                      .place = "N m moment at the nose"};
 
-/// Recorded pull of a belt [N].
+/// Recorded force of the belt on the shaft [N].
 inline constexpr Channel belt_force{.name = "belt_force_N",
                                     .variable = "belt_force",
                                     .words = "belt force",
@@ -52,11 +52,12 @@ inline constexpr Channel belt_force{.name = "belt_force_N",
                                     .kind = "load",
                                     .place = "N belt force"};
 
-/// Returns the quantity of a column of a spindle record or speed programme; null for an unknown
-/// name. Names: time_s, run_id, speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N,
-/// coolant_on, motor_heat_W, motor_power_W, ambient_temperature_C, machine_temperature_C,
-/// coolant_inlet_temperature_C. Measured channels are axial_displacement_um (with std_um) and every
-/// other NAME_temperature_C of a sensor. In series_channel(), all temperatures are inputs instead.
+/// Returns the channel of a column of a spindle record or a speed programme; null for an unknown
+/// name. Known names: time_s, run_id, speed_rpm, axial_load_N, radial_load_N, moment_Nm,
+/// belt_force_N, coolant_on, motor_heat_W, motor_power_W, ambient_temperature_C,
+/// machine_temperature_C, coolant_inlet_temperature_C. A model may predict axial_displacement_um
+/// (with its standard deviation std_um) and every other NAME_temperature_C, which is the
+/// temperature of a sensor. In series_channel(), all temperatures are inputs.
 [[nodiscard]] const Channel* spindle_channel(std::string_view name);
 
 /// Returns the channel for the measured temperature of the sensor with this name.

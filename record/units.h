@@ -5,7 +5,7 @@
 
 namespace raceway {
 
-/// Value of a number that was not given: NaN.
+/// NaN. A number with this value was not given.
 inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
 // Factors to SI: `12.7 * mm` is a length in m, and `length / mm` is the number of millimetres.
@@ -21,11 +21,11 @@ inline constexpr double mm2_per_s = 1e-6;       ///< [m²/s]
 inline constexpr double N_mm = 1e-3;            ///< [N m]
 inline constexpr double N_per_um = 1e6;         ///< [N/m]
 inline constexpr double per_million_K = 1e-6;   ///< [1/K]
-inline constexpr double celsius_zero = 273.15;  ///< 0 °C [K]
+inline constexpr double celsius_zero = 273.15;  ///< 0 °C expressed in kelvin [K]
 
-/// Converts [°C] to [K]; temperatures have an offset, so a factor is not enough.
+/// Converts a temperature from [°C] to [K].
 inline constexpr double kelvin(double celsius) { return celsius + celsius_zero; }
-/// Converts [K] to [°C].
+/// Converts a temperature from [K] to [°C].
 inline constexpr double celsius(double kelvin) { return kelvin - celsius_zero; }
 
 }  // namespace raceway

@@ -13,7 +13,7 @@
 /// Fits models that only approximate the record (Subject::approximates()).
 namespace raceway::tolerance {
 
-/// A record prepared for the fit of such a model.
+/// Record and means of its readings, prepared for the fit of a model that only approximates.
 struct Recorded {
   std::shared_ptr<const record::Record> record{};
   std::shared_ptr<const void> prepared{};  ///< result of Subject::prepare()
@@ -22,7 +22,7 @@ struct Recorded {
 };
 
 /// Returns the usual width of the means [s]: a minute or a 1500th of the longest run, whichever is
-/// longer. In recorded(), a `width` of 0 keeps single rows.
+/// longer. recorded() calculates the means; with a `width` of 0, it keeps single rows.
 [[nodiscard]] double usual_width(const record::Record& record);
 [[nodiscard]] Recorded recorded(const fit::Subject& subject,
                                 std::shared_ptr<const record::Record> record, double width);
@@ -33,9 +33,11 @@ struct Approximation {
   std::vector<std::string> names{};               ///< names of the fitted parameters
   std::vector<record::Parameter> parameters{};    ///< the fitted parameters
   fit::SeparableFit fit{};
-  std::vector<double> held_out{};  ///< held-out error of each mean [SI]; NaN: not held out
-  double rms = unset;              ///< rms error with the weights of the means
-  double rms_held_out = unset;     ///< NaN if nothing can be held out
+  /// Held-out residual of each mean, reading minus prediction [SI]; NaN: not held out.
+  std::vector<double> held_out{};
+  double rms = unset;  ///< RMS of the weighted residuals, in tolerances if these are known
+  /// RMS of the weighted held-out residuals; NaN if no block can be held out.
+  double rms_held_out = unset;
   /// `rms` and `rms_held_out` of each channel of Subject::measured(), in units of its tolerance;
   /// NaN for a channel without means.
   std::vector<double> channel_rms{}, channel_held_out{};
@@ -44,8 +46,8 @@ struct Approximation {
   /// Parameters that stay at their priors, because the record does not determine them. `names` does
   /// not contain them.
   std::vector<record::Parameter> stays{};
-  /// Stored only for costly models: derivatives of the means with respect to the values, and the
-  /// start of the fit.
+  /// Derivatives of the means with respect to the parameters, and start of the fit; only for costly
+  /// models (Subject::is_costly()).
   Eigen::MatrixXd slope{};
   std::shared_ptr<const fit::CostlyFit> begin{};
 };
@@ -53,7 +55,7 @@ struct Approximation {
 struct ApproximationOptions {
   std::vector<Eigen::VectorXd> starts{};  ///< starts in addition to the start of the subject
   int random_starts = 24;
-  int polished = 3;    ///< number of best starts that are refined
+  int polished = 3;    ///< number of the best starts from which a fit runs
   bool rough = false;  ///< true: a costly fit stops when its final misfit is known roughly
   std::function<bool()> cancelled{};
 };
@@ -75,7 +77,7 @@ struct ApproximationOptions {
 /// Throws std::invalid_argument if no start gives a prediction for every reading.
 void require_fit(const Approximation& approximation);
 
-/// Fits a model with candidates switched on, starting from the fit without them.
+/// Fits a model with candidates switched on, starting from `base`, the fit without them.
 [[nodiscard]] Approximation approximate_with(const Approximation& base, const Recorded& recorded,
                                              const std::vector<const fit::Candidate*>& candidates,
                                              const ApproximationOptions& options = {});
@@ -83,24 +85,25 @@ void require_fit(const Approximation& approximation);
 /// Continues a rough fit of a costly model to its end.
 [[nodiscard]] Approximation finished(const Approximation& rough, const Recorded& recorded);
 
-/// Computes the error on each block from a fit to all other blocks. The simulation always runs
-/// through all rows.
+/// Computes the held-out residuals and their RMS: each block is predicted from a fit to all other
+/// blocks. A simulation always runs through all rows.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// Repeats the fit on single rows almost without a ridge, starting from the previous result. If the
-/// values then diverge, the function uses the ridge. For more than 20 000 rows, it uses means
-/// instead of single rows. `rows` receives the fitted data.
+/// Repeats the fit on single rows almost without the ridge of Separable, starting from the previous
+/// result. If the parameters then diverge, the function uses the ridge. For more than 20 000 rows,
+/// it fits means. `rows` receives the fitted rows or means.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
-/// Standard errors of all parameters. The standard errors are widened for the autocorrelation of
-/// the residuals and by the declared error of the model.
+/// Covariance matrix of the fitted parameters, NaN for a parameter at a bound. It includes the
+/// autocorrelation of the residuals and the declared error of the model.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
-  double condition = unset;  ///< condition number of the derivatives, columns scaled to length 1
+  double condition = unset;  ///< condition number of the derivatives, with columns of length 1 [1]
   double correlation_time = unset;  ///< correlation time of the residuals [s]
   double effective = unset;         ///< number of effectively independent means
-  /// Variance of the weighted error of a mean, including the effect of its correlated neighbours.
+  /// Variance of the weighted residual of a mean, multiplied for the correlation with its
+  /// neighbours.
   double variance = unset;
 };
 [[nodiscard]] ApproximationErrors errors_of(const Approximation& approximation,
@@ -109,7 +112,7 @@ struct ApproximationErrors {
 /// Returns the model with its fitted values.
 [[nodiscard]] std::shared_ptr<const fit::Subject> fitted(const Approximation& approximation);
 
-/// Returns the refit of an approximation with its held-out errors.
+/// Returns the fitted model with its held-out residuals.
 [[nodiscard]] fit::Refit refit_of(const Approximation& approximation, const Recorded& recorded);
 
 }  // namespace raceway::tolerance

@@ -6,10 +6,10 @@
 
 namespace raceway::tolerance {
 
-/// Returns true if the readings of a channel only move once from one state to another, for example
-/// while a machine warms up. The total path of the smoothed readings is then less than 1.3 times
-/// the span between their lowest and highest value. In such a record, no part can be held out and
-/// predicted from the other parts. The result is also true without readings.
+/// Returns true if the readings of a channel change only once, in one direction, for example while
+/// a machine warms up. The sum of all changes of the smoothed readings is then less than 1.3 times
+/// their range. In such a record, no block can be predicted from the other blocks. The result is
+/// also true if the channel has no readings.
 [[nodiscard]] bool goes_one_way(const fit::Means& means, std::size_t channel);
 
 }  // namespace raceway::tolerance

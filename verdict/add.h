@@ -12,56 +12,57 @@
 
 namespace raceway::verdict {
 
-/// Errors of one measured channel without and with the effects.
+/// Errors of one measured channel without and with the added effects.
 struct ChannelGain {
-  Comparison before{}, after{};  ///< errors in sample; both models are refitted to the same rows
-  /// Noise model that determines the weights of the readings. The readings in `noise` are in the
-  /// order of Comparison::errors.
+  /// Errors without and with the effects; both models are refitted to the same rows.
+  Comparison before{}, after{};
+  /// Noise of the readings, which determines their weights in the fit. An index of a reading in
+  /// `noise` is an index in Comparison::errors.
   fit::NoiseModel noise{};
-  double tolerance = unset;  ///< tolerance in SI units; NaN if not given
-  /// Held-out errors of both fits [SI]. If a tolerance is given, these errors cover the measured
-  /// range only.
+  double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
+  /// Held-out RMS errors without and with the effects [SI]; NaN if no rows can be held out. If a
+  /// tolerance is given, the outermost blocks of an input are not held out.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *before.channel; }
 };
 
-/// A model with effects switched on, and the gain from these effects.
+/// Model with added effects, and its gain over the model without them.
 struct AddResult {
   /// `calibration.subject` is the new model with all free parameters fitted
   Calibration calibration;
   std::vector<ChannelGain> channels{};
-  std::vector<fit::HoldOut> hold_out{};  ///< blocks of rows that neither fit used
+  std::vector<fit::HoldOut> hold_out{};  ///< errors of both models on held-out blocks of rows
   /// Refits without and with the effects, for a model that only approximates the readings
-  /// (Subject::approximates()).
+  /// (Subject::approximates()); empty for other models.
   std::vector<fit::Refit> refits{};
   fit::Likelihood before{};  ///< likelihood of the model without the effects, with the same noise
-  double gain = unset;       ///< gain of all effects together, as in RankedEffect
-  bool refused = false;      ///< true if the result is rejected; see add_by_noise()
+  double gain = unset;       ///< gain of all effects together; see RankedEffect::gain
+  bool refused = false;      ///< true if the result is rejected by a rule of add_by_noise()
   std::string reason{};      ///< reason for the rejection in one sentence; empty if accepted
   std::vector<record::Note> messages{};
 };
 
-/// Switches candidates on by id, refits all free parameters and judges the result. Sizes and
-/// standard errors agree with the results of diagnose().
+/// Adds the effects with these ids to the model, refits all free parameters, and accepts or rejects
+/// the result. Sizes of the effects and their standard errors agree with the results of diagnose().
 ///
-/// The id "shape" adds the empirical shape that a diagnosis finds for the missing effect. The id of
-/// an OtherBase replaces the base model by the calibrated other base model. The id of an OtherBase
-/// must be the only id. Shapes and base models are judged like effects.
+/// The id "shape" adds a power law of the inputs that is fitted to the misfit. The id of an
+/// OtherBase, such as "law:skf", replaces the base law of the model and must be the only id. A
+/// power law or a base law is accepted or rejected by the same rules as an effect.
 ///
-/// The result is rejected if the fit does not converge, and in five more cases. First: the error on
-/// blocks of held-out rows does not fall. The error must fall in two of the blockings (or in all,
-/// if there are fewer), and must not rise significantly in any. Second: chance could explain the
-/// fall of -2 ln L. Third: a tolerance is given, and the held-out error without the effects is
-/// within this tolerance. Fourth: one of several effects explains nothing beyond the others. Fifth:
-/// a single effect leaves structure in the residuals, although another effect explains the data up
-/// to the noise.
+/// The result is rejected if the fit does not converge, and in five more cases. First: the held-out
+/// error does not fall. It must fall in two hold-out tests (Judged::blockings()), or in all if
+/// there are fewer, and must not rise significantly in any. Second: chance could explain the fall
+/// of -2 ln L. Third: a tolerance is given, and the held-out errors without the effects are within
+/// the tolerances. Fourth: one of several added effects does not improve the fit if the others are
+/// in the model. Fifth: a single effect leaves a systematic residual, although another effect
+/// leaves only noise.
 ///
 /// Throws std::invalid_argument if no id is given, for an unknown id (the message gives the nearest
 /// ids), for an effect that the model already has, for an effect whose inputs the data lack (the
-/// message gives their names), and for an effect that the data cannot separate from the base
-/// parameters. For models that only approximate the readings (Subject::approximates()), use
-/// loop/loop.h.
+/// message gives their names), and for an effect that the data cannot separate from the free
+/// parameters of the model. For models that only approximate the readings
+/// (Subject::approximates()), use add() in loop/loop.h.
 [[nodiscard]] AddResult add_by_noise(const fit::Subject& subject, std::span<const std::string> ids,
                                      const record::Record& record);
 

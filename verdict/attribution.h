@@ -11,69 +11,79 @@
 
 namespace raceway::verdict {
 
-/// The base model extended by one to three candidates, with all base parameters refitted.
+/// Fit of the model with one to three candidates (missing effects or wrong data) switched on. All
+/// free parameters of the model are refitted.
 struct Explanation {
-  std::vector<std::size_t> members{};  ///< indices into Problem::candidates, rising
-  fit::Response response{};            ///< response of the extended model; empty if `elastic`
+  std::vector<std::size_t> members{};  ///< indices in Problem::candidates, in ascending order
+  /// Predicted readings as a function of `parameters`; empty if `elastic`.
+  fit::Response response{};
   fit::ResponseFit fit{};
-  /// Base parameters, then the parameters of the candidates.
+  /// Free parameters of the model, then parameters of the candidates, then free exponents.
   std::vector<record::Parameter> parameters{};
-  double gain = unset;    ///< as RankedEffect::gain, relative to the base model
-  bool ran_away = false;  ///< true if the fit diverged and the size is outside its plausible bounds
-  /// Start values of the full fit if this fit is coarse; empty after a full fit.
+  double gain = unset;  ///< see RankedEffect::gain
+  /// True if the fit diverged: a size exceeds 1000 times the largest plausible size.
+  bool ran_away = false;
+  /// Start values for a full fit, if `fit` is coarse (fit::coarse_fit()); empty after a full fit.
   std::vector<Eigen::VectorXd> starts{};
-  Gate recheck{};  ///< gate on the residuals, with the other effects of the catalogue
+  Gate recheck{};  ///< test of the residuals of `fit` for a further missing effect
   bool rechecked = false;
-  double least_loss = unset;  ///< rise of -2 ln L if the weakest of several candidates is removed
-  /// True if fitted powers of the factors multiply the change of the readings by the candidate.
+  double least_loss = unset;  ///< loss of gain if the weakest of several candidates is left out
+  /// True if the candidate changes the readings by its law times fitted powers of the inputs
+  /// (Attribution::elastic()).
   bool elastic = false;
-  /// Exponent of each factor (Subject::factors()), by name; 0 for a factor that does not vary.
+  /// Name and exponent of each quantity in Subject::factors(); the exponent is 0 if the quantity
+  /// does not vary.
   std::vector<record::NamedValue> exponents{};
-  std::size_t free_exponents = 0;  ///< number of free exponents
+  std::size_t free_exponents = 0;  ///< number of fitted exponents
   /// Returns true if an exponent reached its bound.
   [[nodiscard]] bool bent_to_a_bound() const;
 };
 
-/// Extends the base model by candidates, and refits the extended model.
+/// Refits the model with candidates switched on, and tests the residuals.
 class Attribution {
  public:
   explicit Attribution(const Evidence& evidence);
 
   [[nodiscard]] const Gate& gate() const { return gate_; }
-  /// Returns the first column and the number of columns of a candidate among the scores of the
-  /// gate.
+  /// Returns the first column and the number of columns of a candidate in Gate::scores.
   [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> score_range(std::size_t candidate) const;
-  /// Returns the length of each score after the base parameters are projected off [1]: the smallest
-  /// length over all noise shapes that the readings allow.
+  /// Returns the length of each column of Gate::projected [1]: the change of the readings in
+  /// standard deviations. The function takes the smallest length over all noise models that the
+  /// readings allow.
   [[nodiscard]] Eigen::VectorXd least_lengths() const;
-  /// Returns the length at which the gate detects a score in 99 of 100 cases.
+  /// Returns the length (see least_lengths()) that an effect needs to be detected in 99 of 100
+  /// cases.
   [[nodiscard]] double length_found() const;
-  /// Returns the largest visibility of the candidate's scores.
+  /// Returns the largest Gate::visibility of the columns of a candidate [1].
   [[nodiscard]] double visibility(std::size_t candidate) const;
 
-  /// Refits one or several candidates, from several starts unless the model is linear in all
-  /// parameters.
+  /// Refits the model with the candidates `members`. The fit begins at several start values, unless
+  /// the readings are linear in all parameters.
   [[nodiscard]] Explanation refit(const std::vector<std::size_t>& members,
                                   const std::vector<Eigen::VectorXd>& extra_starts = {}) const;
-  /// Returns a refitted explanation for each testable and visible candidate; best first.
+  /// Returns fits with each candidate alone, sorted by gain, largest first. Candidates that cannot
+  /// be tested, or whose influence the free parameters absorb, are left out.
   [[nodiscard]] std::vector<Explanation> singles() const;
-  /// Returns refitted pairs that may have a larger gain than the best single candidate; best first.
-  /// All pairs are rated by their linearised gain. Pairs close to the best one are refitted, most
-  /// of them only coarsely: see refine().
+  /// Returns fits with pairs of candidates, sorted by gain, largest first. The function calculates
+  /// the gain of every pair in a linearised model, and refits up to 40 pairs close to the best one.
+  /// Most fits are coarse; see refine().
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
-  /// Returns triples that may have a larger gain than the best pair; best first. A triple is one of
-  /// the best pairs with one more candidate. Triples are refitted like pairs.
+  /// Returns fits with three candidates, sorted by gain, largest first: one of the best pairs and
+  /// one more candidate. Triples with a wrong datum are left out. The fits are coarse, as in
+  /// pairs().
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;
-  /// Repeats coarse fits as full fits if their gain may be within `reach` of the best gain. The
-  /// pairs from which triples() starts are also repeated. The list is then sorted, best first.
+  /// Replaces coarse fits by full fits if their gain may be within `reach` of the best gain. The
+  /// pairs from which triples() starts also get full fits. The list is then sorted by gain, largest
+  /// first.
   void refine(std::vector<Explanation>& list, double reach) const;
-  /// Bends the law of one candidate: multiplies the law by powers of Subject::factors(), with
-  /// exponents within +-0.2.
+  /// Refits one candidate with a modified law: the law times powers of the quantities in
+  /// Subject::factors(). The exponents are fitted within +-0.2.
   [[nodiscard]] Explanation elastic(const Explanation& single) const;
-  /// Applies the gate to an extended model.
+  /// Tests the residuals for a further missing effect, and stores the result in
+  /// Explanation::recheck.
   void recheck(Explanation& explanation) const;
 
  private:

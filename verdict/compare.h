@@ -11,15 +11,15 @@
 
 namespace raceway::verdict {
 
-/// Error within one range of one input, or in one run. If the data have only few levels of the
-/// input, each range is one level.
+/// Errors in one range of one input, or in one run. If the input has few levels in the data, each
+/// range is one level.
 struct ErrorRange {
   const record::Channel* channel = nullptr;
-  /// Smallest and largest value in the range [SI], or the index of the run.
+  /// Smallest and largest value of the input in the range [SI]; for a run, its index.
   double from = unset, to = unset;
   std::string run{};  ///< run_id, or name of a record or group; empty for ranges of an input
   int rows = 0;
-  double rmse = unset;  ///< SI
+  double rmse = unset;  ///< RMS error [SI]
   double bias = unset;  ///< mean of prediction minus reading [SI]
 
   [[nodiscard]] bool is_run() const { return channel->role == record::Role::run; }
@@ -27,32 +27,35 @@ struct ErrorRange {
 
 /// Prediction and reading of one row [SI].
 struct RowError {
-  std::size_t row = 0;  ///< index into the record
+  std::size_t row = 0;  ///< row index in the record
   int line = 0;         ///< line number for messages: Record::line()
   double predicted = unset;
   double measured = unset;
   double residual = unset;  ///< prediction minus reading
   double std = unset;       ///< standard deviation of the reading; NaN if unknown
-  double sigmas = unset;    ///< residual over standard deviation [1]
+  double sigmas = unset;    ///< `residual` divided by `std` [1]
 };
 
-/// Tests whether the misfit is larger than the noise.
+/// Result of the test whether the misfit is larger than the noise. The source of the noise
+/// (NoiseSource) determines the test:
 ///   declared or regression   statistic = χ²/degrees of freedom, χ² distribution
 ///   repeats                  statistic = F, lack of fit over pure error, F distribution
 ///   none                     NaN
 struct LackOfFit {
   double statistic = unset;
   double p_value = unset;
-  int degrees_of_freedom = 0;  ///< number of rows (repeats count once) minus fitted parameters
-  /// Degrees of freedom of the pure error; 0 if the noise is declared.
+  /// Rows minus fitted parameters; repeats count once if the noise comes from repeats.
+  int degrees_of_freedom = 0;
+  /// Degrees of freedom of the scatter within repeats (pure error); 0 for all other sources.
   int noise_degrees_of_freedom = 0;
 };
 
-/// Correlation between the errors of neighbouring rows along the swept input. No estimate of the
-/// noise is needed. Rows are sorted by run and all other settings, then by the swept setting (or by
-/// time if there is none). The correlation is the mean product of neighbouring errors over their
-/// mean square. For pure noise, the correlation is approximately normal with variance 1/pairs. The
-/// p-value is one-sided. Noise that drifts along a run also increases the correlation.
+/// Correlation between the residuals of neighbouring rows along the swept input. This test needs no
+/// estimate of the noise. Rows are sorted by run and all other settings, then by the swept setting
+/// (or by time if there is none). The correlation is the mean product of neighbouring residuals
+/// divided by their mean square. For pure noise, the correlation has a nearly normal distribution
+/// with variance 1/pairs. The p-value is one-sided. Noise that drifts along a run also increases
+/// the correlation.
 struct Pattern {
   const record::Channel* along = nullptr;
   double correlation = unset;  ///< in [-1, 1]; NaN with fewer than 8 pairs
@@ -60,52 +63,56 @@ struct Pattern {
   int pairs = 0;
 };
 
-/// Judgement of a misfit. For a model that only approximates the readings, `structure` means that
-/// the error exceeds the tolerance, `noise` that it does not, and `unknown` that no tolerance is
-/// given.
+/// Conclusion about a misfit. For a model that only approximates the readings, the tolerance
+/// decides: `structure` means that the RMS error exceeds it, `noise` that it does not, and
+/// `unknown` that no tolerance is given.
 enum class Judgement {
-  structure,  ///< p < 0.01 in the lack-of-fit test, or in the pattern if the noise is unknown
+  structure,  ///< systematic: p < 0.01 in LackOfFit, or in Pattern if the noise is unknown
   noise,      ///< the misfit is no larger than the noise
-  unknown     ///< the noise is unknown and the errors show no pattern
+  unknown     ///< the noise is unknown, and the residuals show no pattern
 };
 
 /// Comparison of a model with the readings of one channel. Residuals are prediction minus reading.
 struct Comparison {
   const record::Channel* channel = nullptr;
-  int rows = 0;                                                     ///< number of compared rows
-  double rmse = unset, mae = unset, max_abs = unset, bias = unset;  ///< SI
-  /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms: 100 is a perfect prediction, 0 is as good
-  /// as the mean, and a negative value is worse than the mean. NaN if all readings are equal.
+  int rows = 0;  ///< number of compared rows
+  /// RMS, mean absolute and largest absolute residual; mean residual [SI].
+  double rmse = unset, mae = unset, max_abs = unset, bias = unset;
+  /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms, with readings y and predictions ŷ. A
+  /// perfect prediction gives 100, and the mean of the readings as prediction gives 0. NaN if all
+  /// readings are equal.
   double fit_percent = unset;
   fit::Noise noise{};
-  /// Noise that a diagnosis would assume if the noise is unknown [SI]; see
-  /// estimate_unknown_noise(). NaN if not requested, or if the data do not determine the noise.
+  /// RMS noise from estimate_unknown_noise() [SI]. NaN if this function was not called, if `noise`
+  /// is known, or if the data do not determine the noise.
   double estimated_noise = unset;
   LackOfFit lack_of_fit{};
   Pattern pattern{};
-  /// Correlation time of the residuals [s]; NaN except for a model that approximates over time.
+  /// Correlation time of the residuals [s]; NaN unless the model approximates a record over time.
   double correlation_time = unset;
-  std::string_view begins{};  ///< initial state of the simulation; empty if there is none
+  std::string_view begins{};  ///< initial state of the simulation ("rest"); empty if there is none
   Judgement judgement = Judgement::unknown;
-  double tolerance = unset;           ///< acceptable error [SI]; NaN if not given
-  std::vector<ErrorRange> where{};    ///< errors by range of each varying input, worst first
-  std::vector<ErrorRange> records{};  ///< error of each joined record, in the order of the records
-  std::vector<RowError> worst{};      ///< the five worst rows, worst first
+  double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
+  /// Errors in ranges of each varying input and in runs, largest first.
+  std::vector<ErrorRange> where{};
+  std::vector<ErrorRange> records{};  ///< errors of each joined record, in the order of the records
+  std::vector<RowError> worst{};      ///< the five rows with the largest residuals, largest first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
   std::vector<std::size_t> rows_not_predicted{};  ///< rows with a reading but without a prediction
-  std::string statement{};  ///< text: size and place of the error, structure or noise
+  std::string statement{};  ///< text: size of the misfit, its cause and its worst range
 };
 
-/// Returns the noise of a measured channel, by estimate_noise(). For a model that only approximates
-/// the readings, the noise is the standard deviation that the model declares. If the model declares
-/// no standard deviation, the noise is the scatter of readings that are neighbours in time.
+/// Returns the noise of a measured channel from fit::estimate_noise(). For a model that only
+/// approximates the readings, the noise is the standard deviation that the model declares. If the
+/// model declares no standard deviation, the noise is the scatter of readings that are neighbours
+/// in time.
 [[nodiscard]] fit::Noise noise_of(const record::Record& record, const fit::Measured& measured);
 
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
 /// model parameters that were fitted to these data. Fitted parameters reduce the degrees of freedom
 /// of the test. If you do not know the number, use 0, which makes the test less strict. Throws
-/// std::invalid_argument if the record does not suit this kind of model, has no rows, or has no row
-/// with a prediction.
+/// std::invalid_argument if the record does not suit this kind of model, has no rows, or has a
+/// measured channel without any prediction.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,
                                               const record::Record& record,
                                               int fitted_parameters = 0);
@@ -115,15 +122,15 @@ struct Comparison {
 [[nodiscard]] Comparison compare(std::span<const double> predicted, const record::Record& record,
                                  const fit::Measured& measured, int fitted_parameters = 0);
 
-/// Adds the errors of groups of rows to `where`. `group` names the group of each row; an empty name
-/// means no group. `kind` is a run channel that describes the groups.
+/// Adds the errors of groups of rows to Comparison::where. `group` names the group of each row; an
+/// empty name means no group. `kind` is a channel with Role::run; its words describe the groups.
 void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);
 
-/// Fills Comparison::estimated_noise and the standard deviations of rows whose noise is unknown.
-/// The values come from a saturated regression, as in a diagnosis. For a model that only
-/// approximates the readings, noise_of_calm_readings() gives an upper bound instead. The values do
-/// not change the verdict on structure or noise.
+/// Estimates the noise of channels with unknown noise: Comparison::estimated_noise and
+/// RowError::std. The estimate comes from a saturated regression (fit::Saturation), as in a
+/// diagnosis. For a model that only approximates the readings, `estimated_noise` is an upper bound
+/// from noise_of_calm_readings(). The estimate does not change Comparison::judgement.
 void estimate_unknown_noise(const fit::Subject& subject, const record::Record& record,
                             std::vector<Comparison>& comparisons);
 

@@ -23,7 +23,7 @@ struct DiagnoseOptions {
   bool other_bases = true;
   fit::NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
-  /// diagnose() throws fit::Cancelled after this becomes true
+  /// null, or a flag; if it becomes true, diagnose() throws fit::Cancelled
   const std::atomic<bool>* cancelled = nullptr;
 };
 
@@ -35,29 +35,29 @@ struct DiagnoseOptions {
 ///   residuals
 ///   -> blocked hold-out, plausible size -> next measurements
 ///
-/// The gate has a level of 1 %. An effect is accepted if -2 ln L falls by more than ln N + 2 ln m,
-/// with N readings and m tried candidates. The verdict names it together with all effects whose
-/// -2 ln L is within 6 of the best one.
+/// The gate tests at a level of 1 % whether any effect is missing. An effect is accepted if -2 ln L
+/// falls by more than ln N + 2 ln m, with N readings and m tried candidates. The verdict names the
+/// best effect, and all effects whose -2 ln L is at most 6 above the best.
 ///
 /// The other base models (Subject::other_bases()) are calibrated to the readings and compared like
 /// candidates in two cases: no candidate explains the misfit, or one candidate fits only with
 /// another law or an implausible size. The verdict always refers to the given model.
 ///
-/// Fewer than 15 rows, or fewer than p + 12 rows for p free parameters, do not determine their
-/// noise. With at least 8 and at least p + 4 rows, the declared noise is used, and only candidates
-/// with one parameter are tried, one at a time.
+/// The noise cannot be estimated from fewer than 15 readings, or fewer than p + 12 readings for p
+/// free parameters. With at least 8 and at least p + 4 readings, all with declared standard
+/// deviations, these deviations are used. Only candidates with one parameter are then tried, one at
+/// a time.
 ///
-/// If a channel has a tolerance (Measured::tolerance), the question is whether a missing effect
-/// matters on held-out blocks within the measured range. Nothing is missing if the refitted model
-/// stays within the tolerance on these blocks. An effect explains the data if it brings the error
-/// within the tolerance. Effects whose error is at most a fifth larger than the smallest error are
-/// also named. Two effects explain the data if no single effect does, if the pair brings the error
-/// within the tolerance, and if the error of the best single effect is at least a fifth larger than
-/// the error of the pair.
+/// If a channel has a tolerance (Measured::tolerance), the held-out error within the measured range
+/// decides. Nothing is missing if the error of the refitted model is within the tolerance. An
+/// effect explains the data if the error with this effect is within the tolerance. Effects whose
+/// error is at most a fifth larger than the smallest error are also named. Two effects explain the
+/// data if no single effect does, if the pair brings the error within the tolerance, and if the
+/// error of the best single effect is at least a fifth larger than the error of the pair.
 ///
-/// Throws std::invalid_argument if the data do not support a verdict, and fit::Cancelled if the
-/// caller cancels. For models that only approximate the readings (Subject::approximates()), use
-/// loop/loop.h.
+/// Throws std::invalid_argument if the data cannot give a verdict (the message says what is
+/// needed), and fit::Cancelled if the caller cancels. For models that only approximate the readings
+/// (Subject::approximates()), use diagnose() in loop/loop.h.
 [[nodiscard]] Diagnosis diagnose_by_noise(const fit::Subject& subject, const record::Record& record,
                                           const DiagnoseOptions& options = {});
 

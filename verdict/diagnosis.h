@@ -18,9 +18,9 @@
 namespace raceway::verdict {
 
 enum class Verdict {
-  nothing_missing,  ///< the data show no missing effect, or no important one
-  effect,           ///< the misfit is consistent with one effect
-  ambiguous,        ///< the misfit fits several effects that the data cannot separate
+  nothing_missing,  ///< the data show no missing effect, or the error is within the tolerance
+  effect,           ///< one effect explains the misfit
+  ambiguous,  ///< each of several effects explains the misfit, and the data cannot separate them
   several_effects,  ///< several effects are missing together
   effect_like,      ///< the misfit resembles an effect, but with another law or an implausible size
   not_in_catalogue  ///< an effect is missing, and no candidate explains it
@@ -29,50 +29,53 @@ enum class Verdict {
 /// Returns the verdict in the words of the JSON results, for example "nothing-missing".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// Diagnosis of one measured channel. Numbers for single readings in `noise`, such as `outliers`,
-/// are in the order of `baseline.errors`.
+/// Diagnosis of one measured channel. An index of a reading in `noise`, such as in `outliers`, is
+/// an index in `baseline.errors`.
 struct ChannelDiagnosis {
-  Comparison baseline{};  ///< comparison after refitting the free parameters
+  Comparison baseline{};  ///< comparison of the refitted model with the readings
   fit::NoiseModel noise{};
-  double rmse_before = unset, rmse_after = unset;  ///< errors in sample [SI]
-  double tolerance = unset;                        ///< tolerance in SI units; NaN if not given
-  /// Held-out errors without and with the effects of the verdict [SI]. If a tolerance is given,
-  /// these errors cover the measured range only.
+  /// RMS errors of the fits without and with the effects of the verdict [SI].
+  double rmse_before = unset, rmse_after = unset;
+  double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
+  /// Held-out RMS errors without and with the effects of the verdict [SI]; NaN if no rows can be
+  /// held out. If a tolerance is given, the outermost blocks of an input are not held out.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
 };
 
-/// Fit of one effect to the data, together with all base parameters.
+/// Fit of the model with one effect added. All free parameters of the model are refitted.
 struct RankedEffect {
   std::string id;
-  std::string datum{};       ///< wrong datum; empty for an effect
+  /// Name of the datum that may be wrong ("the oil card"); empty for an effect.
+  std::string datum{};
   std::string correction{};  ///< text with the corrected value of the datum
   /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
   /// place, unless there is only one choice.
   std::vector<std::pair<std::string, std::string>> acts_on{};
-  bool by_column = false;  ///< true if the name contains the driving column
+  bool by_column = false;  ///< true if the id names the column of the record that drives the effect
   bool in_verdict = false;
   /// Fall of -2 ln L when the effect is added, minus ln N for each fitted parameter other than the
   /// size, with N readings. If the verdict is `several_effects` and includes this effect, this is
   /// the gain of the whole set.
   double gain = unset;
-  fit::Likelihood likelihood{};                 ///< likelihood of the model that `gain` refers to
-  std::vector<double> rmse{};                   ///< error of each channel in sample [SI]
-  std::vector<double> rmse_held_out{};          ///< held-out error of each channel [SI]
+  fit::Likelihood likelihood{};         ///< likelihood of the model that `gain` refers to
+  std::vector<double> rmse{};           ///< RMS error of each channel on the rows of the fit [SI]
+  std::vector<double> rmse_held_out{};  ///< held-out RMS error of each channel [SI]
   std::vector<record::Parameter> parameters{};  ///< parameters of the effect, named without its id
   std::size_t size = 0;  ///< index of the parameter that gives the effect its size
-  /// Base parameters without the effect (start) and with the effect (value). The difference is the
-  /// part of the effect that the base parameters had absorbed.
+  /// Free parameters of the model: `start` is the value fitted without the effect, `value` the
+  /// value fitted with it. The difference shows how far these parameters had compensated for the
+  /// missing effect.
   std::vector<record::Parameter> base{};
   /// Ids of the other candidates (effects or wrong data) that change these data in nearly the same
   /// way, or that replace this candidate in another set of the verdict.
   std::vector<std::string> indistinguishable_from{};
-  /// p of the gate with this effect switched on; NaN if not tested
+  /// p-value of the test for a further missing effect (verdict/gate.h); NaN if not tested
   double remaining_p_value = unset;
 
-  /// Returns the id of the kind of effect, without the part on which it acts. If a column belongs
-  /// to the name of the effect (`by_column`), the whole id is returned.
+  /// Returns the id without the place where the effect acts. If the id names a column
+  /// (`by_column`), returns the whole id.
   [[nodiscard]] std::string plain_id() const {
     return acts_on.empty() || by_column ? id : id.substr(0, id.find(':'));
   }
@@ -80,12 +83,12 @@ struct RankedEffect {
 
 /// Fit of a set of effects to the data.
 struct SetFit {
-  double gain = unset;  ///< gain of the whole set, as in RankedEffect
+  double gain = unset;  ///< gain of the whole set; see RankedEffect::gain
   fit::Likelihood likelihood{};
-  std::vector<double> rmse{};  ///< error of each channel in sample [SI]
+  std::vector<double> rmse{};  ///< RMS error of each channel on the rows of the fit [SI]
 };
 
-/// Correlation between estimates; NaN for a parameter at its bound.
+/// Correlation matrix of fitted parameters; NaN for a parameter at its bound.
 struct Correlation {
   std::vector<std::string> names{};
   Eigen::MatrixXd matrix{};
@@ -98,12 +101,13 @@ struct EffectShare {
   std::vector<double> readings{};
 };
 
-/// Readings that a set of effects predicts, and their contributions, in the order of EffectShare.
+/// Readings that the model predicts with a set of effects, and the contribution of each effect. The
+/// order of the readings is as in EffectShare.
 struct ExplainedReadings {
-  /// Prediction with the effects on and the base parameters refitted [SI].
+  /// Prediction with the effects in the model and its free parameters refitted [SI].
   std::vector<double> total{};
-  std::vector<double> base{};  ///< prediction of this model with the effects switched off [SI]
-  /// For each effect, the total minus the prediction without this effect.
+  std::vector<double> base{};  ///< prediction of the same model with the effects switched off [SI]
+  /// For each effect, `total` minus the prediction without this effect.
   std::vector<EffectShare> effects{};
 };
 
@@ -112,23 +116,27 @@ struct DetectableSize {
   std::string id;
   std::string parameter;
   std::string unit;
-  double size = unset;              ///< detectable size of the parameter
-  double share_of_reading = unset;  ///< rms of the effect at this size over rms of the readings [1]
+  double size = unset;  ///< smallest detectable value of `parameter`, in `unit`
+  /// RMS of its contribution at this size, divided by the RMS of the readings [1].
+  double share_of_reading = unset;
   std::string most_alike{};  ///< effect that is hardest to separate from this effect; may be empty
-  double told_apart_from = unset;  ///< size above which the data separate the two effects
+  /// Value of `parameter` above which the data separate the effect from `most_alike`; NaN if no
+  /// allowed value is large enough.
+  double told_apart_from = unset;
 };
 
 struct NotTestable {
   std::string id;
-  /// Missing data, parameters with the same influence, or a reason that excludes the effect.
+  /// Text: missing data, parameters with the same influence, or another reason that excludes the
+  /// effect.
   std::string reason;
 };
 
 /// Pattern of the residuals over time that no effect of the catalogue explains.
 struct Course {
-  /// Start and end of the times with the largest residuals [s].
+  /// Start and end of each time span with the largest residuals [s].
   std::vector<std::pair<double, double>> when{};
-  double period = unset;         ///< period of the pattern [s]; NaN if it does not repeat
+  double period = unset;         ///< period of the pattern [s]; NaN if the pattern does not repeat
   double time_constant = unset;  ///< correlation time of the residuals [s]
 };
 
@@ -137,9 +145,9 @@ struct SuggestedMeasurement {
   std::vector<fit::Setting> point;
   std::string words;  ///< description of the point
   int repeats = 2;
-  std::string separates{};  ///< ids, e.g. "this-effect / that-effect"
-  /// Difference between the two effects at this point, in standard deviations of the noise and
-  /// before any refit [1].
+  std::string separates{};  ///< ids of the two effects: "this-effect / that-effect"
+  /// Difference between the readings that the two effects predict at this point, in standard
+  /// deviations of the noise [1]. The effects are not refitted for this difference.
   double difference_in_sigma = unset;
 };
 
@@ -151,29 +159,37 @@ struct OtherBaseTried {
   /// free parameter.
   double gain = unset;
   fit::Likelihood likelihood{};
-  std::vector<double> rmse{};           ///< error of each channel in sample [SI]
-  std::vector<double> rmse_held_out{};  ///< held-out error of each channel [SI]
+  std::vector<double> rmse{};           ///< RMS error of each channel on the rows of the fit [SI]
+  std::vector<double> rmse_held_out{};  ///< held-out RMS error of each channel [SI]
   std::vector<record::Parameter> parameters{};
-  double remaining_p_value = unset;  ///< p of the gate on the new residuals; NaN if not tested
-  bool explains = false;             ///< true if the data show no missing effect in this base model
-  bool fitted_form = false;          ///< true if the exponents of this base law are fitted
+  /// P-value of the test for a missing effect (verdict/gate.h) in this base model; NaN if not
+  /// tested.
+  double remaining_p_value = unset;
+  bool explains = false;     ///< true if the data show no missing effect in this base model
+  bool fitted_form = false;  ///< true if the fit also finds exponents of this base law
 };
 
 struct Diagnosis {
   Verdict verdict = Verdict::nothing_missing;
-  std::string headline;                    ///< short verdict for the reader, without its evidence
+  std::string headline;                    ///< verdict in one short line
   std::string sentence;                    ///< verdict with the numbers that support it
-  std::vector<ChannelDiagnosis> channels;  ///< measured channels, the most important one first
-  double p_value = unset;  ///< p of the gate: probability of such a misfit if no effect is missing
-  double remaining_p_value = unset;  ///< p of the gate with the effects of the verdict switched on
+  std::vector<ChannelDiagnosis> channels;  ///< channels, in the order of Subject::measured()
+  /// P-value of the test for a missing effect (verdict/gate.h): probability of such a misfit if no
+  /// effect is missing.
+  double p_value = unset;
+  /// P-value of the same test with the effects of the verdict in the model.
+  double remaining_p_value = unset;
   std::vector<RankedEffect>
-      effects;  ///< effects of the verdict first, starting with the best set; the others by rank
+      effects;  ///< effects of the verdict, beginning with the best set, then other effects by rank
   std::vector<std::vector<std::string>>
-      sets;                  ///< sets of effects whose gain is close to the best, best first
-  std::vector<SetFit> fits;  ///< fits of `sets`; empty if the model only approximates
+      sets;  ///< sets of effects whose gain is close to the best, best first
+  /// One fit for each of `sets`; empty if the model only approximates the readings.
+  std::vector<SetFit> fits;
   /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
-  Correlation correlation;  ///< correlation for the best set, or for the model without effects
+  /// Correlation of the parameters in the fit of the best set, or without effects if there is no
+  /// set.
+  Correlation correlation;
   /// Readings of the best set of the verdict, if there is one, followed by the readings of each
   /// ranked effect outside this set.
   std::vector<ExplainedReadings> explained;
@@ -183,24 +199,25 @@ struct Diagnosis {
   std::vector<fit::Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
-  /// Groups of effects with the same influence on these data (|cos| > 0.98).
+  /// Groups of effects that change these readings in nearly the same way (|cos| > 0.98).
   std::vector<std::vector<std::string>> aliases;
   std::vector<SuggestedMeasurement> suggested_measurements;
-  /// Settings available for a measurement, in the order of a suggested point.
+  /// Inputs that can be set for a measurement, in the order of SuggestedMeasurement::point.
   std::vector<fit::Axis> axes;
   double predicted_separation = unset, separation_by_repetition = unset;
   /// Further quantities to record that would separate the effects.
   std::vector<std::string> records_needed;
   std::optional<fit::Shape> shape;
   std::optional<Course> course;
-  /// Base parameters without the effects of the verdict (start) and with these effects (value). The
-  /// two are equal if the verdict names no effect.
+  /// Free parameters of the model: `start` is the value fitted without the effects of the verdict,
+  /// `value` the value fitted with them. Both are equal if the verdict names no effect.
   std::vector<record::Parameter> base;
-  /// hold-out results of the verdict's best set, compared with the base model
+  /// Held-out errors with the best set of the verdict, compared with the model without effects.
   std::vector<fit::HoldOut> hold_out;
-  double needed_gain = unset;                   ///< gain that an effect needs, ln N + 2 ln m
-  int candidates_tried = 0;                     ///< m, including candidates tried earlier
-  int rows = 0;                                 ///< number of rows used
+  /// Gain that an effect needs: ln N + 2 ln m, with N readings and m candidates.
+  double needed_gain = unset;
+  int candidates_tried = 0;  ///< number m of candidates, including DiagnoseOptions::tried_before
+  int rows = 0;              ///< number of rows used
   std::vector<std::size_t> outliers;            ///< rows with reduced weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows without a prediction
   /// Other base models: first the model of `given_other_base`, if there is one, then the others,
@@ -210,9 +227,9 @@ struct Diagnosis {
   /// Diagnosis with the first model of `other_bases` as the base model, with single candidates
   /// only. Null if no other base model is good enough.
   std::shared_ptr<const Diagnosis> given_other_base{};
-  /// True if a tolerance is given and the refitted model meets this tolerance without effects.
-  /// `significant_but_immaterial` names significant effects that reduce the held-out error but are
-  /// not important.
+  /// True if a tolerance is given and the held-out error of the refitted model without effects is
+  /// within it. `significant_but_immaterial` then names effects that are statistically significant
+  /// and reduce the held-out error.
   bool within_tolerance = false;
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user

@@ -6,13 +6,13 @@
 #include "verdict/attribution.h"
 #include "verdict/diagnosis.h"
 
-/// Returns sizes and errors of a fitted explanation.
+/// Functions for the sizes and errors of the effects in a fit (Explanation).
 namespace raceway::verdict {
 
-/// Returns the parameters of one candidate of an explanation, named without its id. A size is
-/// plausible within the range seen in practice, widened by a factor of three at both ends and by
-/// two standard errors. For a wrong datum, the factor is 1. A size between the range and the
-/// neutral value is also plausible.
+/// Returns the fitted parameters of one candidate; their names do not contain its id. A value is
+/// plausible if it lies in the range seen in practice, widened by a factor of three and two
+/// standard errors at both ends. For a wrong datum, the factor is 1. A value between this range and
+/// the neutral value is also plausible.
 [[nodiscard]] std::vector<record::Parameter> sizes_of(const fit::Problem& problem,
                                                       const Explanation& e, std::size_t member);
 
@@ -26,8 +26,9 @@ namespace raceway::verdict {
 [[nodiscard]] std::string correction_text(const fit::Problem& problem, const Explanation& e,
                                           std::size_t member);
 
-/// Returns the 95 % interval of the size of one candidate. A candidate whose law is multiplied by
-/// powers (Attribution::elastic()) has no interval, because the exponents have no physical meaning.
+/// Returns the 95 % interval of the size of one candidate by profile likelihood. The interval is
+/// NaN if the law is multiplied by powers (Attribution::elastic()), because the exponents have no
+/// physical meaning.
 [[nodiscard]] record::Interval size_interval(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
@@ -39,41 +40,40 @@ namespace raceway::verdict {
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
-/// Returns the base parameters. `start` is the value of the fit without the explanation; `value`
-/// and `std` are from the fit with the explanation.
+/// Returns the free parameters of the model. `start` is from the fit without candidates; `value`
+/// and `std` are from the fit `e`.
 [[nodiscard]] std::vector<record::Parameter> base_with(const Evidence& evidence,
                                                        const Explanation& e);
 
-/// Returns the base parameters of the model without effects, with the standard errors of
-/// calibrate().
+/// Returns the free parameters of the model from the fit without candidates, with the standard
+/// errors of calibrate().
 [[nodiscard]] std::vector<record::Parameter> base_alone(const Evidence& evidence);
 
-/// Returns the likelihood of the readings for a fit of the base model or of an explanation.
+/// Returns the likelihood of the readings for a fit without or with candidates.
 [[nodiscard]] fit::Likelihood likelihood_of(const Evidence& evidence, const fit::ResponseFit& fit);
 
-/// Returns the correlation of the estimates, from a fit of these parameters or from their
-/// covariance. The correlation is NaN for an estimate without a covariance.
+/// Returns the correlation matrix of these parameters, from their fit or from their covariance. The
+/// correlation is NaN for a parameter at a bound or without a covariance.
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,
                                          const fit::ResponseFit& fit);
 [[nodiscard]] Correlation correlation_of(const std::vector<record::Parameter>& parameters,
                                          const Eigen::MatrixXd& covariance);
 
-/// Returns the rms error of each channel over the held-out blocks of all blockings [SI]. The result
-/// is empty if a law is multiplied by powers (Attribution::elastic()), and if there are no
-/// blockings.
+/// Returns the RMS error of each channel over the held-out blocks of all blockings [SI]. The result
+/// is empty without blockings, and if a law is multiplied by powers (Attribution::elastic()).
 [[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const fit::Response& response,
                                            const fit::ResponseFit& fit,
                                            const std::vector<fit::Blocking>& blockings);
 
-/// Returns held-out errors within the measured range. For the outermost blocks of an ordered
-/// blocking, the held-out prediction would be an extrapolation. The error in the fit is therefore
-/// used for these blocks.
+/// Returns held-out RMS errors within the measured range [SI], like held_out(). For the outermost
+/// blocks of an input, a held-out prediction would be an extrapolation. The function uses the error
+/// of the full fit for these blocks.
 [[nodiscard]] std::vector<double> held_out_within_range(
     const Evidence& evidence, const fit::Response& response, const fit::ResponseFit& fit,
     const std::vector<fit::Blocking>& blockings);
 
-/// Returns the readings of an explanation and the contributions of its effects, by observation. No
-/// law may be multiplied by powers (Attribution::elastic()).
+/// Returns the readings that the fit `e` predicts, and the contributions of its effects. No law may
+/// be multiplied by powers (Attribution::elastic()).
 [[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::verdict

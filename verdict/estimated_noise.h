@@ -7,19 +7,19 @@
 
 namespace raceway::verdict {
 
-/// Noise of one channel that a diagnosis would assume.
+/// Noise that a diagnosis would assume for one channel.
 struct EstimatedNoise {
   const record::Channel* channel = nullptr;
-  double rms = unset;  ///< rms noise over the readings used [SI]
-  /// Standard deviations by row of the record [SI]. For unused rows, the standard deviation follows
-  /// from the reading.
+  double rms = unset;  ///< RMS noise of the readings that the estimate used [SI]
+  /// Standard deviation of the reading in each row of the record [SI]. For rows that the estimate
+  /// did not use, it is calculated from the reading; NaN without a reading.
   std::vector<double> std;
 };
 
-/// Estimates the noise (NoiseModel) of each channel of a diagnosis, for data without declared noise
-/// and without repeats. The estimate comes from the residual of a regression on smooth surfaces and
-/// all candidates, not from the misfit of the model. The result is empty if the data do not support
-/// a diagnosis, and for a model that only approximates the readings.
+/// Estimates the noise of each channel as a diagnosis does (fit::NoiseModel), for data without
+/// declared noise and without repeats. The estimate comes from the residuals of a regression on
+/// smooth functions and all candidates, not from the misfit of the model. The result is empty if a
+/// diagnosis of these data is impossible, and for a model that only approximates the readings.
 [[nodiscard]] std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(
     const fit::Subject& subject, const record::Record& record);
 

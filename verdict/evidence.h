@@ -10,24 +10,24 @@
 
 namespace raceway::verdict {
 
-/// A larger record is reduced to this number of randomly chosen rows.
+/// Largest number of rows in a fit. From a larger record, this number of rows is chosen at random.
 constexpr int most_rows_of_a_fit = 4000;
 
-/// Model, data, candidates and noise, prepared for a diagnosis.
+/// Model, readings, candidates for missing effects, and noise, prepared for a diagnosis.
 struct Evidence {
   fit::Problem problem{};
   fit::Saturation saturation{};
-  /// Free parameters that change no reading; they are not parameters of the base model.
+  /// Names of free parameters that change no reading; they are not fitted.
   std::vector<std::string> idle{};
-  Eigen::VectorXd size{};                ///< typical size of each reading from the base model
+  Eigen::VectorXd size{};                ///< typical size of each reading [SI], from the prediction
   std::vector<fit::NoiseModel> noise{};  ///< noise of each measured channel
-  fit::Whitening whitening{};            ///< weights from the noise of all channels together
-  /// Other possible weights. In each of these sets of weights, one channel has another noise shape
-  /// that its readings allow.
+  fit::Whitening whitening{};            ///< whitening with the noise of all channels
+  /// Other whitenings that the readings allow. In each of them, one channel has another noise
+  /// model.
   std::vector<fit::Whitening> allowed{};
-  double degrees_of_freedom = unset;  ///< degrees of freedom of all channels
-  fit::Response response{};           ///< response of the base model
-  fit::ResponseFit base{};            ///< base model refitted with `noise`
+  double degrees_of_freedom = unset;  ///< degrees of freedom of the noise, summed over the channels
+  fit::Response response{};           ///< predicted readings as a function of the free parameters
+  fit::ResponseFit base{};  ///< fit of the model without candidates, with the weights from `noise`
   std::size_t rows_in_record = 0;
   /// True if there are too few rows to determine the noise; the declared noise is then used.
   bool few_rows = false;
@@ -39,19 +39,19 @@ struct Evidence {
   [[nodiscard]] const Eigen::VectorXd& std() const { return whitening.std(); }
 };
 
-/// Options for gathering evidence.
+/// Options of gather_evidence().
 struct EvidenceOptions {
   /// Ids of the effects that may be missing; empty means all candidates.
   std::vector<std::string> candidates{};
   int most_rows = most_rows_of_a_fit;
   fit::NoiseOptions noise{};
   bool screened = true;               ///< false if only the noise and the base model are needed
-  std::function<bool()> cancelled{};  ///< returns true to cancel the work; see Problem
+  std::function<bool()> cancelled{};  ///< cancels the work if it returns true; see fit::Problem
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model. The
 /// function uses at most `most_rows` rows, chosen at random. Throws std::invalid_argument if the
-/// data do not support a verdict; the message says what is needed.
+/// data cannot give a verdict; the message names the missing measurements or the problem.
 [[nodiscard]] Evidence gather_evidence(const fit::Subject& subject, const record::Record& record,
                                        const EvidenceOptions& options = {});
 

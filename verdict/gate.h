@@ -8,16 +8,17 @@
 
 namespace raceway::verdict {
 
-/// Standard normal numbers for the null distribution of the largest score. The numbers are drawn at
-/// first use. The numbers are identical for all gates of a diagnosis, and for all diagnoses with
-/// the same number of scores. The first call of p_value() draws the numbers, so several threads
-/// must not call p_value() at the same time.
+/// Random numbers for the distribution that the largest score has if no effect is missing. They are
+/// standard normal numbers, drawn at first use. The numbers are identical for all gates of a
+/// diagnosis, and for all diagnoses with the same number of scores. The first call of p_value()
+/// draws the numbers, so several threads must not call p_value() at the same time.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
-  /// Returns the share of draws from N(0, C) whose largest score reaches `observed`. The scores of
-  /// each draw are divided by a random scale with the χ distribution. If the share is very small or
-  /// very large, the result is a bound from Student's distribution.
+  /// Returns the probability that the largest score reaches `observed` if no effect is missing.
+  /// Each draw gives normal scores with this correlation, divided by a random standard deviation
+  /// with these degrees of freedom. If the probability is very small or very large, the result is a
+  /// bound from Student's distribution.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
@@ -32,35 +33,39 @@ class NullDraws {
 
 constexpr double alarm_level = 0.01;
 
-/// Test whether the model misses an effect. The gate combines an F test on a smooth surface with
-/// the largest score of a catalogue.
+/// Result of the test whether the model misses an effect. The test combines an F test, in which a
+/// smooth function of the inputs describes the residuals, with the largest score of all candidates.
+/// A score is the size of a candidate that the residuals suggest, in standard errors.
 struct Gate {
   double surface_statistic = unset;
   double surface_p_value = 1.0;
   int surface_terms = 0;
-  double largest_score = unset;  ///< largest score in standard deviations
-  int largest = -1;              ///< column of the largest score; -1 if no column is visible
+  double largest_score = unset;  ///< largest score, in standard errors
+  int largest = -1;  ///< index of the column with the largest score; -1 if no column is visible
   double score_p_value = 1.0;
-  /// Largest p over the other noise shapes that the readings allow; 0 if these shapes were not
+  /// Largest p-value over the other noise models that the readings allow; 0 if they were not
   /// tested.
   double allowed_p_value = 0.0;
-  Eigen::VectorXd scores;  ///< score of each column; 0 if the column is not visible
-  /// Share of a column that remains after the tangent (the derivatives by the base parameters) is
-  /// projected off [1].
+  Eigen::VectorXd scores;  ///< score of each column; 0 if its visibility is below `invisible`
+  /// Share of the length of each column that the free parameters of the model cannot absorb, from 0
+  /// to 1 [1].
   Eigen::VectorXd visibility;
-  Eigen::MatrixXd projected;  ///< columns after the tangent is projected off, not normalised
+  Eigen::MatrixXd projected;  ///< columns minus the part that the free parameters absorb
 
-  /// Returns p of both tests together (Bonferroni); the largest value over all noise shapes.
+  /// Returns the p-value of both tests together (Bonferroni): the largest value over all tested
+  /// noise models.
   [[nodiscard]] double p_value() const;
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
-/// Smallest visibility of a column whose score is tested [1]. Below this visibility, the base
-/// parameters absorb the effect.
+/// Smallest visibility of a column whose score is tested [1]. Below this visibility, the free
+/// parameters of the model absorb the effect.
 constexpr double invisible = 0.02;
 
-/// Applies the gate. All arguments are whitened. `one_sided` marks columns for which only a
-/// positive amount is physical.
+/// Tests whitened residuals for a missing effect. `tangent` contains the derivatives of the
+/// readings with respect to the free parameters, `surface` the terms of a smooth function, and
+/// `scores` the changes of the readings by the candidates. All are whitened. `one_sided` marks
+/// candidates whose size can only be positive.
 [[nodiscard]] Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,
                              const Eigen::MatrixXd& surface, const Eigen::MatrixXd& scores,
                              const std::vector<bool>& one_sided, double degrees_of_freedom,

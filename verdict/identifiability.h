@@ -8,9 +8,10 @@
 
 namespace raceway::verdict {
 
-/// Finds parameters that the data can separate neither at the start of a fit nor away from it. The
-/// function fixes a parameter whose influence equals a combination of earlier parameters, marks all
-/// of them as not identifiable and adds a message. `lacks` is Subject::lacks() on these data.
+/// Finds parameters that the data can separate neither at the start values of a fit nor at other
+/// values. The function fixes a parameter whose influence equals a combination of earlier
+/// parameters, marks all of them as not identifiable and adds a message. `lacks` returns
+/// Subject::lacks() for a parameter.
 void hold_dependent(const fit::Response& response, const fit::Whitening& whitening,
                     const std::function<std::string(const std::string& parameter)>& lacks,
                     Calibration& result);
@@ -20,8 +21,8 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
                                            const std::string& needed);
 
 /// Estimates standard errors and correlation of the free parameters at the solution. `jacobian` is
-/// whitened and has one column for each free parameter. `factor` widens the errors; NaN means that
-/// there are no errors.
+/// whitened and has one column for each free parameter. The standard errors are multiplied by
+/// `factor`; they are NaN if `factor` is NaN.
 void estimate_errors(const Eigen::MatrixXd& jacobian, double factor, Calibration& result);
 
 }  // namespace raceway::verdict

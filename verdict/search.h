@@ -14,38 +14,41 @@ namespace raceway::verdict {
 /// Best explanation of a misfit, and the explanations close to it.
 struct Finding {
   enum class Kind {
-    none,       ///< no candidate explains the misfit
-    single,     ///< one candidate explains the misfit
-    several,    ///< two or three candidates together
-    bent,       ///< one candidate whose law is multiplied by powers of the inputs
-    base_laws,  ///< both corrections of the base law together; their threshold is lower than for
-                ///< other pairs
-    partly      ///< one candidate explains most of the misfit but misses the tolerance
+    none,     ///< no candidate explains the misfit
+    single,   ///< one candidate explains the misfit
+    several,  ///< two or three candidates together explain the misfit
+    bent,  ///< one candidate explains the misfit if its law is multiplied by powers of the inputs
+    /// Both corrections of the base law together explain the misfit; the threshold is lower than
+    /// for other pairs.
+    base_laws,
+    /// One candidate removes at least half of the mean square error, but the error exceeds the
+    /// tolerance.
+    partly
   };
   Kind kind = Kind::none;
-  std::vector<const Explanation*> set{};  ///< explanations, best first
-  /// Pairs that contain a wrong datum and fit as well as the pairs of effects in the set.
+  std::vector<const Explanation*> set{};  ///< fits, best first
+  /// Fits with a wrong datum that are as good as the pairs of effects in `set`.
   std::vector<const Explanation*> with_data{};
 };
 
 /// Limits and options of a search.
 struct SearchLimits {
-  double needed_gain = unset;  ///< fall of -2 ln L that an explanation must exceed
+  double needed_gain = unset;  ///< fall of -2 ln L that a candidate must exceed
   int tried = 0;               ///< number of candidates tried, for the multiple-testing correction
   bool pairs = true;
   std::function<void(double share, std::string_view step)> step{};
   std::function<bool()> cancelled{};
 };
 
-/// Searches for an explanation of a misfit: single candidates, both corrections of the base law,
-/// pairs, triples and laws multiplied by powers, in this order, until the residuals are noise. If
-/// there is a tolerance, the search ends when the held-out error is within the tolerance.
+/// Searches for candidates that explain a misfit, in this order: single candidates, both
+/// corrections of the base law, pairs, triples, laws multiplied by powers. The search ends when the
+/// residuals are noise or, if a tolerance is given, when the held-out error is within it.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
          const std::vector<fit::Blocking>& blockings, SearchLimits limits);
 
-  /// Refits every candidate separately.
+  /// Refits the model with each candidate alone.
   void refit_singles();
   [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
   /// Searches until the remaining misfit is noise.
@@ -53,25 +56,25 @@ class Search {
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
 
-  /// Returns pairs of effects that fit well, although neither effect of a pair is proven. explain()
-  /// and explain_within_tolerance() fill this list and shape().
+  /// Returns the ids of pairs whose fit leaves only noise, but in which one candidate contributes
+  /// too little to be proven. explain() fills this list.
   [[nodiscard]] const std::vector<std::vector<std::string>>& weak_pairs() const {
     return weak_pairs_;
   }
   [[nodiscard]] std::optional<fit::Shape>& shape() { return shape_; }
-  /// Returns true if at least one member of the explanation is a physical effect, not a wrong datum
-  /// or an empirical shape.
+  /// Returns true if at least one candidate of the fit is a physical effect, not a wrong datum or
+  /// an empirical shape.
   [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] bool is_physics_alone(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
-  /// Returns true if the explanation raises the rms residual. Each channel is weighted by its
-  /// noise, and outliers are left out.
+  /// Returns true if the RMS residual is larger with the candidates of the fit than without. The
+  /// residuals of each channel are divided by its noise, and outliers are left out.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
-  /// Returns true if the explanation lowers the rms residual of raises_the_error() by at least
-  /// `share`.
+  /// Returns true if the candidates lower the RMS residual, as in raises_the_error(), by at least
+  /// the share `share` [1].
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
-  /// Returns the held-out error in excess of the noise, divided by the tolerance, for the channel
-  /// with the largest ratio [1].
+  /// Returns the held-out error in excess of the noise, divided by the tolerance [1]: the largest
+  /// ratio of all channels. NaN if no rows can be held out.
   [[nodiscard]] double share_of_tolerance(const fit::Response& response,
                                           const fit::ResponseFit& fit) const;
 
@@ -105,7 +108,8 @@ class Search {
   std::optional<fit::Shape> shape_;
 };
 
-constexpr double within_reach = 6.0;  ///< largest difference of -2 ln L from the best set
-constexpr double passed = 0.01;       ///< smallest p-value at which residuals count as noise
+/// Largest difference in -2 ln L between the best set and another set of the verdict.
+constexpr double within_reach = 6.0;
+constexpr double passed = 0.01;  ///< smallest p-value at which residuals count as noise
 
 }  // namespace raceway::verdict

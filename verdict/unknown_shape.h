@@ -7,10 +7,9 @@
 
 namespace raceway::verdict {
 
-/// Fits a power law to the misfit of the base model on its first channel, and refits all free
-/// parameters together with this law. The law uses the formula inputs of the model
-/// (Subject::formula()). The result is empty if the model has no formula inputs or if no fit
-/// converges.
+/// Fits a power law of the inputs to the misfit of the first channel, together with all free
+/// parameters of the model. Subject::formula() gives the inputs. The result is empty if the model
+/// supports no formula or if no fit converges.
 [[nodiscard]] std::optional<fit::Shape> find_unknown_shape(const Evidence& evidence);
 
 }  // namespace raceway::verdict

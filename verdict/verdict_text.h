@@ -9,7 +9,7 @@
 // Builds the sentences of a verdict, in the units of the files.
 namespace raceway::verdict {
 
-/// Joins words as "a, b and c"; `last` is the word before the last item.
+/// Joins words as "a, b and c". `last` is the word before the last item, here "and".
 [[nodiscard]] std::string joined(const std::vector<std::string>& words, const char* last);
 [[nodiscard]] std::string p_text(double p);
 
@@ -17,26 +17,28 @@ namespace raceway::verdict {
 [[nodiscard]] std::string with_unit(double value, const std::string& unit, int digits = 3);
 /// Returns the unit of a difference: K for a temperature in C.
 [[nodiscard]] std::string_view unit_of_difference(const record::Channel& channel);
-/// Returns a reading as text in the unit of its channel.
+/// Returns an error or another difference of readings as text, in the unit of unit_of_difference().
+/// `value` is in SI units.
 [[nodiscard]] std::string reading_text(const record::Channel& channel, double value,
                                        int digits = 3);
 
-/// Returns the sentence for `nothing_missing`, with up to three effects that would have been found
-/// and up to three that could not have been found.
+/// Returns the sentence for the verdict `nothing_missing`. It names up to three effects that the
+/// data would have shown, and up to three that the data could not show.
 [[nodiscard]] std::string nothing_missing_text(const Diagnosis& d);
-/// Returns the sentence for a model whose held-out error is within the tolerance, with the
-/// significant effects that are not important.
+/// Returns the sentence for a model whose held-out error is within the tolerance. It names
+/// Diagnosis::significant_but_immaterial.
 [[nodiscard]] std::string within_tolerance_text(const Diagnosis& d);
-/// Returns the error without and with the effects, in sample and, if no tolerance is given, on
-/// held-out blocks.
+/// Returns a text with the errors of the fits without and with the effects and, if no tolerance is
+/// given, the held-out errors.
 [[nodiscard]] std::string error_text(const Diagnosis& d);
-/// Returns the shifts of the base parameters when the effects of the verdict are left out. Only
-/// shifts of 1 % or more are included; empty if there are none.
+/// Returns a text with the changes of the free parameters when the effects of the verdict are left
+/// out. It is empty if all changes are below 1 %.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
-/// Returns up to three suggested measurements with the predicted separation, and the further
-/// quantities to record. The text is empty if there are none.
+/// Returns a text with up to three suggested measurements, their predicted separation, and further
+/// quantities to record. The text is empty if there are no suggestions.
 [[nodiscard]] std::string measure_text(const Diagnosis& d);
-/// Describes two rows with equal settings and different readings.
+/// Returns a text about the two rows of `hidden`, which have nearly equal inputs and different
+/// readings.
 [[nodiscard]] std::string difference_text(const record::Record& record, const HiddenInput& hidden);
 
 }  // namespace raceway::verdict

@@ -8,15 +8,15 @@
 
 #include "fit/noise_model.h"
 
-/// Declares the search for estimate_noise_model().
+/// Search for the most likely noise model: estimate_noise_model().
 namespace raceway::fit {
 
-/// Regression of whitened readings on columns, judged by restricted maximum likelihood. The common
-/// factor of the variance is at its best.
+/// Regression of whitened readings on columns, with its restricted likelihood. The common factor of
+/// the variance has its most likely value.
 class RestrictedFit {
  public:
-  /// `deviation` is the readings minus any fit of the columns. The choice of this fit changes only
-  /// the rounding.
+  /// `deviation` is the difference between the readings and any fit of the columns. This fit
+  /// changes only the rounding.
   RestrictedFit(const Whitening& whitening, const Eigen::MatrixXd& columns,
                 const Eigen::VectorXd& deviation);
 
@@ -38,19 +38,19 @@ class RestrictedFit {
   double square_, misfit_;
 };
 
-/// Variances of the same readings for several shares, up to a common factor.
+/// Variances of the readings for several noise shares, up to a common factor.
 struct Variances {
-  Eigen::MatrixXd parts;   ///< of each reading (rows) from each part (columns)
-  Eigen::MatrixXd shares;  ///< of each part (rows), in several cases (columns)
+  Eigen::MatrixXd parts;   ///< variance from each part of the noise (readings x parts)
+  Eigen::MatrixXd shares;  ///< shares of the parts (parts x cases)
   [[nodiscard]] Eigen::VectorXd operator[](Eigen::Index column) const {
     return parts * shares.col(column);
   }
 };
 
-/// Estimates the noise of one channel, one part after the other.
+/// Estimates the parts of the noise of one channel, one after the other.
 class NoiseSearch {
  public:
-  /// Degrees of freedom from which the noise counts as known.
+  /// Degrees of freedom above which the noise is treated as exact.
   static constexpr double as_good_as_known = 1000.0;
 
   /// Shares of the variance: a part proportional to the reading, and a part from the scatter of an
@@ -110,8 +110,8 @@ class NoiseSearch {
   [[nodiscard]] std::vector<Shares> all_shares() const;
   double find_shares() { return find_shares(all_shares()); }
   [[nodiscard]] static double cost(const Shares& shares);
-  /// Finds the best of these shares for the current memory. Returns the -2 ln L of this share,
-  /// including the cost of the parts.
+  /// Finds the most likely of these shares for the current memory. Returns their -2 ln L, including
+  /// the cost of the parts.
   double find_shares(const std::vector<Shares>& list);
   /// Returns the shares whose -2 ln L is below a limit, for the current memory.
   [[nodiscard]] std::vector<Shares> shares_below(double limit) const;
@@ -128,8 +128,8 @@ class NoiseSearch {
   /// the logarithm of the swept input. ln |z| of a normal variable has a standard deviation of
   /// 1.11.
   [[nodiscard]] bool seems_to_grow() const;
-  /// Readings that gather at one level of a setting are not outliers, because the rig scatters more
-  /// at that level.
+  /// Removes suspects that gather at one level of a setting: the rig scatters more at that level,
+  /// so they are not outliers.
   void spare_levels();
   /// Marks readings that may be outliers, with a regression of few columns. Outliers cannot pull
   /// this regression towards them. With half as many columns as rows, they could. The regression
@@ -172,7 +172,7 @@ class NoiseSearch {
   void allow_memory(double best);
   /// Tries weaker and stronger growth, as far as the readings allow.
   void allow_growths(double phi, double g, double best);
-  /// Checks the result against the pure error of repeats.
+  /// Compares the result with the scatter within repeats.
   void hold_against_repeats();
   const ChannelReadings& readings_;
   const Eigen::MatrixXd& columns_;

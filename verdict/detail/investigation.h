@@ -9,7 +9,7 @@
 #include "verdict/hidden_input.h"
 #include "verdict/search.h"
 
-/// Declares the steps of diagnose().
+/// Steps of diagnose().
 namespace raceway::verdict {
 
 /// Carries out one diagnosis step by step.

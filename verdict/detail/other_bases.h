@@ -5,23 +5,23 @@
 
 #include "verdict/attribution.h"
 
-/// Calibrates other base models for diagnose() and add().
+/// Functions that calibrate other base models for diagnose() and add().
 namespace raceway::verdict {
 
-/// Another base model, calibrated to the readings of a diagnosis with the same noise.
+/// Another base model, calibrated to the readings of a diagnosis with the noise of this diagnosis.
 struct CalibratedBase {
   fit::OtherBase base{};
-  /// Explanation without candidates. Its parameters are the free parameters of the other base
-  /// model. The gain is the fall of -2 ln L relative to the given model after a refit, minus ln N
-  /// for each additional free parameter.
+  /// Fit without candidates. Its parameters are the free parameters of the other base model. The
+  /// gain is the fall of -2 ln L relative to the given model after a refit, minus ln N for each
+  /// additional free parameter.
   Explanation explanation{};
   std::string not_testable{};  ///< reason if the base model cannot be tested; empty if it can
 };
 
 [[nodiscard]] CalibratedBase calibrate_other_base(const Evidence& evidence, fit::OtherBase base);
 
-/// Calibrates all other base models of the subject; best first. Models that cannot be tested come
-/// last.
+/// Calibrates all other base models of the subject. They are sorted by gain, largest first. Models
+/// that cannot be tested come last.
 [[nodiscard]] std::vector<CalibratedBase> calibrate_other_bases(const Evidence& evidence);
 
 /// Returns the subject with this base model and the calibrated values.
