@@ -14,7 +14,7 @@ namespace raceway::model {
 ///
 /// The propagation is linear. g comes from central differences with steps of a tenth of a standard
 /// error. The difference is one-sided if a bound or a missing equilibrium prevents one side. The
-/// band covers only these parameters, not missing effects and not the noise of a reading.
+/// band does not include missing effects or the noise of a reading.
 /// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
 ///           errors.
 class Band {

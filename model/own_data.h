@@ -18,13 +18,14 @@ namespace raceway::model {
 /// Returns the ids of the data that this model has.
 [[nodiscard]] std::vector<std::string> own_data(const Model& model);
 
-/// Returns a datum as a candidate; empty if the model does not have it.
+/// Returns a datum as a candidate that `diagnose` tests; empty if the model does not have the
+/// datum.
 [[nodiscard]] std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id);
 
 /// Returns the parameter whose value is the datum, with the name of the candidate.
 [[nodiscard]] fit::Parameter own_datum_parameter(const Model& model, std::string_view id);
 
-/// Explains a datum, for any model; empty if the id is not a datum.
+/// Returns an explanation of a datum, for any model; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_explained(std::string_view id);
 
 /// Returns "contact angle 24.1 deg instead of the entered 25"; empty if the id is not a datum.
