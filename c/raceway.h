@@ -91,8 +91,9 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 /// state do not depend on the number of threads or on the other states.
 ///
 /// speed_rpm ... temperature_C  the states, in four arrays. If an array of loads or temperatures is
-///           NULL, the value of the model is used. speed_rpm is required. Axial loads of a shaft are
-///           external loads, positive towards the tool. Radial loads are not allowed for a shaft.
+///           NULL, the value of the model is used. speed_rpm is required. Axial loads of a shaft
+///           are external loads, positive towards the tool. Radial loads are not allowed for a
+///           shaft.
 /// strides   four numbers, one for each of these arrays in their order: the distance from one state
 ///           to the next, counted in doubles. With a stride of 1, the array has `count` numbers.
 ///           With 0, one number is used for all states. A negative stride has the same meaning as a

@@ -18,21 +18,22 @@ struct ControlExport {
   std::string hal{}, hal_shutdown{};
 };
 
-/// Checks the name of the output file. Throws text::InputError for linuxcnc if the file name is not
-/// a valid component name.
+/// Throws text::InputError if the format is linuxcnc and the name of the output file is not a valid
+/// component name.
 void require_control_name(const std::string& format, const std::string& output);
 
-/// HAL files of the component.
+/// Names of the HAL files that start and stop the component of LinuxCNC.
 struct HalFiles {
   std::string start{}, shutdown{};
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
-/// Opens a model file for the export to a control, and adds a check record: `record`, or a
-/// synthetic record if none is given. `model` may also be an exported table. The check record then
-/// comes from the table.
+/// Opens a model file for the export to a machine control, and adds a check record: `record`, or a
+/// synthetic record if `record` is null. `model` may also be an exported table. The check record
+/// then comes from the table.
 ///
-/// Throws text::InputError like the readers, and for a table that is given together with a record.
+/// Throws text::InputError for a file that cannot be read, and for a table that is given together
+/// with a record.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 

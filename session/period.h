@@ -7,8 +7,8 @@
 
 namespace raceway::session {
 
-/// Period of a time record whose readings are used, as times since the first row: `--from 20h` and
-/// `--until 24h`. The model still uses the inputs of rows outside the period.
+/// Period of a time record whose readings a fit uses. `from` and `until` are times since the first
+/// row: `--from 20h`, `--until 24h`. The model still uses the inputs of rows outside the period.
 struct Period {
   std::string from, until;
 

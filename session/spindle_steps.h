@@ -30,14 +30,15 @@ struct StepQuestion {
   std::vector<double> load_speeds{};  ///< [rad/s], rising
   double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
-  Wording wording = Wording::arguments;          ///< names of arguments in errors and notes
+  Wording wording = Wording::arguments;          ///< selects the argument names in messages
   const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
-/// Step responses of a spindle, simulated or read, with the laws K(P) and T(P) for all of them.
+/// Responses of a spindle to steps of speed or load, simulated or read from a file. The laws K(P)
+/// and T(P) give the gain and the time constant of all responses over the power P.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
-  std::string source{};                    ///< description of the origin
+  std::string source{};                    ///< name of the file or model that gave the responses
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
   std::vector<record::Note> notes{};
@@ -52,15 +53,16 @@ struct SpindleSteps {
   /// Returns a warning with the reason for each step without a response.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
-  /// Returns the step responses as JSON. `error` is the error of a correction over a programme;
-  /// null if it was not requested.
+  /// Returns the step responses as JSON. `error` is the comparison of a correction with the full
+  /// simulation over a speed programme; null if this comparison was not requested.
   [[nodiscard]] std::string json(const results::Superposition* error = nullptr) const;
   [[nodiscard]] std::string page(const results::Superposition* error = nullptr,
                                  const std::string& programme = {}) const;
 };
 
 /// Simulates the steps. Throws text::InputError if no speed is above 0, for too many speeds, and
-/// for `load_speeds` without a load. Throws std::invalid_argument if the model is not a spindle.
+/// for `load_speeds` without a load step. Throws std::invalid_argument if the model is not a
+/// spindle.
 [[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
@@ -73,9 +75,9 @@ struct SpindleSteps {
 
 /// Options for a correction made from step responses.
 struct StepCorrectionQuestion {
-  std::string law = "curve";             ///< form of K and T: "curve", "power" or "line"
-  std::string lags = "auto";             ///< number of delay elements: "one", "two" or "auto"
-  Wording wording = Wording::arguments;  ///< names of arguments in notes
+  std::string law = "curve";                     ///< form of K and T: "curve", "power" or "line"
+  std::string lags = "auto";                     ///< number of lags: "one", "two" or "auto"
+  Wording wording = Wording::arguments;          ///< selects the argument names in notes
   const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
@@ -87,9 +89,9 @@ struct StepCorrectionQuestion {
 /// Returns the names of the correction channels for the requested load steps.
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
-/// Compares a correction from step responses with the full simulation over a programme of speeds
-/// and loads. The programme is read as a spindle record. Throws std::invalid_argument like
-/// results::superposition().
+/// Compares a correction from step responses with the full simulation of the spindle over a
+/// programme of speeds and loads. The programme is a file in the format of spindle records. Throws
+/// the same exceptions as results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,
     const Source& programme, const std::atomic<bool>* cancelled = nullptr);
