@@ -11,7 +11,7 @@ namespace raceway::effects {
 ///
 ///   x_read = (1 + g) x        x counts from the zero of the unit of the channel
 ///
-/// Source:   definition. `standard` is the datum that fixes the scale of the channel.
+/// Source:   definition. `standard` is the known quantity that fixes the scale of the channel.
 /// Domain:   every reading.
 template <const auto& card, Need standard>
 struct SensorGain : SensorFault<card> {

@@ -20,7 +20,7 @@ using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 /// The key of a result consists of equilibrium, oil, temperature and the parameters of the law,
 /// except the factors of rolling and hysteresis. For effects of film self-heating, results at a
 /// nearby temperature come from linear extrapolation along the viscosity curve ν(T) of the oil.
-/// Accuracy: relative error 1e-7 for extrapolated results; other results equal those of
+/// Accuracy: relative error 1e-7 for extrapolated results; other results equal the results of
 ///           contact_result().
 class ContactMemory {
  public:

@@ -38,7 +38,7 @@ struct StepQuestion {
 /// and T(P) give the gain and the time constant of all responses over the power P.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
-  std::string source{};                    ///< name of the file or model that gave the responses
+  std::string source{};                    ///< name of the file that gave the responses
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
   std::vector<record::Note> notes{};
