@@ -2,7 +2,7 @@
 /// read from TOML (docs/files.md). A state is an operating point: speed, axial load, radial load
 /// and temperature. States and results are plain arrays.
 ///
-/// Units:    the name of each quantity ends with its unit: rpm, N, C, Nmm (N mm).
+/// Units:    the name of each quantity ends with its unit: rpm, N, C (degrees Celsius), Nmm (N mm).
 /// Returns:  raceway_solve(), raceway_table() and raceway_predict() return 0: done, 1: wrong input,
 ///           2: some states did not converge. The exit status of the command raceway has the same
 ///           meaning.
@@ -57,8 +57,8 @@ RACEWAY_API const char* raceway_status_name(int status);
 /// Reads a model from the text of a model file. `source_name` is the name of the file in messages;
 /// NULL means "model". Names of files in the text are relative to the folder of `source_name`.
 ///
-/// Returns the model; free it with raceway_free(). After an error, returns NULL, and `message`
-/// gives the reason. raceway_messages() returns the notes on a model that was read.
+/// Returns the model. Free the model with raceway_free(). After an error, returns NULL, and
+/// `message` gives the reason. raceway_messages() returns the notes on a model that was read.
 RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* source_name,
                                           char* message, size_t message_size);
 

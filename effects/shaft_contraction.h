@@ -22,7 +22,7 @@ namespace raceway::effects {
 ///           axial force, the mean axial strain is -ν/E times this mean. Example: steel, a = 15 mm,
 ///           b = 35 mm, 10 000 rpm: 9 um per metre.
 /// Domain:   every speed, no lag. The shaft between the sets shortens by the same strain and
-///           changes the load of the sets like a colder shaft. The model neglects this load,
+///           changes the load of the sets as a colder shaft would. The model neglects this load,
 ///           because it has no shaft radii.
 struct ShaftContraction {
   static constexpr std::string_view id = "shaft-contraction";

@@ -18,7 +18,7 @@ namespace raceway::effects {
 /// the range of spindles. With this reference, e and f0 can be fitted separately.
 /// Source:   tests show exponents from 0.55 to 0.75 instead of 2/3, so e is -0.12 to 0.08
 ///           [Palmgren1959, form of the law; range assumed].
-/// Domain:   speed >= 0; constant below ν n = 2000, like the law of Palmgren.
+/// Domain:   speed >= 0; M is constant below ν n = 2000, like Palmgren's M0.
 struct ViscousExponent {
   static constexpr std::string_view id = "viscous-exponent";
   static constexpr std::string_view title = "a different exponent of the viscous moment";

@@ -30,9 +30,9 @@ inline constexpr Limit static_load{"static_load", unset, "N", false};
 /// Largest contact pressure without permanent dents. Source: [ISO76], permanent deformation of 1e-4
 /// ball diameters.
 inline constexpr Limit static_pressure{"static_pressure", 4.2, "GPa", false};
-/// Largest pressure of a contact that is rolled over. Makers of spindle bearings give 2000 MPa as
-/// the limit below which their bearings do not fatigue (from memory, print not checked); [ISO281,
-/// annex B] uses 1500 MPa.
+/// Largest Hertz pressure in the contacts of a rotating bearing. Makers of spindle bearings give
+/// 2000 MPa as the limit below which their bearings do not fatigue (from memory, print not
+/// checked); [ISO281, annex B] uses 1500 MPa.
 inline constexpr Limit running_pressure{"running_pressure", 2.0, "GPa"};
 /// Largest speed in the catalogue for one bearing with spring preload. Source: [GMN4000]; balls of
 /// silicon nitride allow 1.25 times this speed [GMN speed factors].
@@ -72,7 +72,7 @@ inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 /// A limit that a result exceeds.
 struct Finding {
-  std::string_view limit;  ///< id of the exceeded limit
+  std::string_view limit;  ///< id of the limit that is exceeded
   bool is_warning = true;
   std::string place = {};                 ///< bearing on its shaft; empty for a bearing on a rig
   double value = unset, allowed = unset;  ///< values at the worst point, in `unit`

@@ -44,11 +44,12 @@ struct Shaft {
   /// Measured temperatures of shaft, housing and rings. Parts without a measured temperature have
   /// the mounting temperature.
   std::optional<bearing::SetTemperatures> temperatures = {};
-  /// True if the bearings of a set differ from the bearing of the model.
+  /// True if the sets contain bearings that differ from Model::bearing.
   bool own_bearings = false;
 };
 
-/// Catalogue speeds of a bearing [rad/s]; NaN if not in the catalogue.
+/// Limiting speeds of a bearing with oil and with grease, as in the catalogue [rad/s]; NaN if the
+/// catalogue does not give them.
 struct PrintedSpeed {
   double oil = unset, grease = unset;
 };
@@ -68,7 +69,7 @@ struct Model {
   friction::F1Load f1_load = friction::F1Load::P0;
   std::vector<double> law_values;               ///< parameter values, in the order of
                                                 ///< friction::parameters(law)
-  friction::contact::ContactData contact = {};  ///< data of the contact law
+  friction::contact::ContactData contact = {};  ///< further inputs of the contact law
   /// Torque table for the law `table`. A model with another law may also name a table; `diagnose`
   /// then tests the law `table` as an alternative. Null if the model names no table.
   std::shared_ptr<const friction::TorqueTable> table = nullptr;

@@ -32,7 +32,7 @@ struct Expected {
   /// reject this channel.
   std::vector<const record::Channel*> measured{};
   std::vector<const record::Channel*> signed_inputs{};  ///< inputs that may be negative
-  bool coast_down = false;     ///< true: time and speed alone give a record of friction torque
+  bool coast_down = false;     ///< true: the friction torque is computed from time and speed
   double minimum_speed = 0.0;  ///< coast-down rows below this speed are excluded [rad/s]
   /// Columns that the program reads but does not use, each with a message.
   std::vector<std::pair<const record::Channel*, std::string>> unused{};
@@ -64,7 +64,7 @@ class ModelSubject : public fit::Subject {
   /// (own_data()) and are not free.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   /// Returns the ids of the effects of the catalogue in the form for the model, of the user-defined
-  /// effects that are only candidates, and of own_data(). Effects that act only on spindles are
+  /// effects that are only candidates, and of own_data(). Effects that exist only for spindles are
   /// included only for a spindle.
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(

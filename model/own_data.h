@@ -9,10 +9,10 @@
 #include "fit/subject.h"
 #include "model/model.h"
 
-/// Tests data of the model that may be wrong and that affect the readings: contact angle and groove
-/// conformity of bearings on a shaft, and for a spindle the inlet temperature of each coolant
-/// circuit and the position of each thermometer. The program tests these data like effects and then
-/// corrects the data in the model.
+/// Functions for model data that may be wrong and that affect the readings: contact angle and
+/// groove conformity of bearings on a shaft, and for a spindle the inlet temperature of each
+/// coolant circuit and the position of each thermometer. `diagnose` tests these data like effects,
+/// and `add` corrects them in the model.
 namespace raceway::model {
 
 /// Returns the ids of the data that this model has.

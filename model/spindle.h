@@ -47,7 +47,8 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
 struct Segment {
   double length = unset;    ///< [m]
   double diameter = unset;  ///< outer diameter [m]
-  double bore = unset;      ///< [m]; 0: solid. For a housing, NaN: outer diameter of the bearings
+  double bore = unset;      ///< bore [m]; 0: solid part. For a housing, NaN means the outer
+                            ///< diameter of the bearings
   SolidMaterial material = steel_of_shafts;
 };
 
@@ -55,8 +56,9 @@ struct Segment {
 struct Disk {
   double position = unset;           ///< distance behind the nose face [m]
   double mass = unset;               ///< [kg]
-  double diametral_inertia = unset;  ///< about a radial axis through the disk [kg m²]
-  double polar_inertia = unset;      ///< about the shaft axis [kg m²]
+  double diametral_inertia = unset;  ///< moment of inertia about a radial axis through the disk [kg
+                                     ///< m²]
+  double polar_inertia = unset;      ///< moment of inertia about the shaft axis [kg m²]
 };
 
 /// A spring between shaft and housing, for a bearing of which only the stiffness is known.
@@ -83,8 +85,8 @@ struct ScrewedJoint {
 
 struct Housing {
   double start = unset;  ///< front face, distance behind the nose face [m]
-  /// Segments from the front face. A segment without a bore has the outer diameter of the bearings
-  /// as its bore.
+  /// Segments from the front face. If the bore of a segment is NaN, it equals the outer diameter of
+  /// the bearings.
   std::vector<Segment> segments;
   double flange = unset;           ///< middle of the flange, distance behind the nose face [m]
   double flange_length = 20 * mm;  ///< axial length of the flange [m]
@@ -124,7 +126,7 @@ inline constexpr double l_per_min = 1e-3 / 60;  ///< one litre per minute [m³/s
 /// A cylindrical roller bearing on the shaft in addition to the sets, free to move axially. The
 /// friction of the bearing follows Palmgren's formulas.
 struct RollerOnShaft {
-  std::string name;         ///< name that begins the columns of this bearing: NAME_clearance_um
+  std::string name;         ///< NAME in columns such as NAME_clearance_um
   double position = unset;  ///< distance behind the nose face [m]
   /// Bore, outer diameter and width must be given.
   bearing::RollerBearing bearing;
@@ -160,7 +162,7 @@ struct Coolant {
 
 /// A further coolant circuit, with a channel around another span of the housing.
 struct Circuit {
-  std::string name;  ///< name in the columns NAME_outlet_temperature_C and heat_to_NAME_W
+  std::string name;  ///< NAME in the columns NAME_outlet_temperature_C and heat_to_NAME_W
   Coolant channel;   ///< its inlet temperature may be NaN: value of the first circuit
 };
 
@@ -169,13 +171,13 @@ enum class RotatingConvection { becker, kendoush, anderson_saunders };
 struct Ambient {
   double temperature = kelvin(20);     ///< ambient temperature [K]
   double machine_temperature = unset;  ///< temperature of the machine at the flange [K]; NaN:
-                                       ///< ambient
+                                       ///< ambient temperature
   double emissivity = 0.85;            ///< emissivity of the housing [1]
   double convection_factor = 1.0;      ///< factor on free convection of the housing [1]
   RotatingConvection rotating_convection = RotatingConvection::becker;
 };
 
-/// A heat source other than bearing friction, and its place.
+/// A heat source other than bearing friction, and the place that it heats.
 struct HeatSource {
   /// Heated place. `shaft` and `housing`: a span of this part. `motor`: shaft and housing between
   /// the sets. `pulley`: the shaft behind the last bearing. `seal`: the shaft between the front
@@ -193,7 +195,8 @@ struct HeatSource {
   std::size_t bearing = 0;        ///< index of the heated bearing, as in rings_of()
   double position = unset;        ///< middle of the span, distance behind the nose face [m]
   double length = unset;          ///< length of the span [m]
-  double radius = unset;          ///< radius of the heated cells; NaN: bore to surface [m]
+  double radius = unset;          ///< radius of the heated cells [m]; NaN: all cells from the bore
+                                  ///< to the surface
   double rotor_diameter = unset;  ///< outer diameter of the motor's rotor [m]
   /// Share of a motor's heat that enters the shaft; the housing receives the remainder. For heat at
   /// a bearing: share that enters the inner ring; the outer ring receives the remainder [1].
@@ -213,7 +216,7 @@ struct Gap {
 /// Place of a thermometer.
 struct ThermometerPlace {
   enum class Part { shaft, ring, housing, coolant };
-  std::string name;  ///< name in the column NAME_temperature_C
+  std::string name;  ///< NAME in the column NAME_temperature_C
   Part part = Part::housing;
   /// Distance behind the nose face [m]. In the coolant, the position is between start and end of
   /// the channel; NaN means the outlet.
@@ -269,7 +272,7 @@ struct Spindle {
   std::optional<Belt> belt = {};
   std::optional<Gap> gap = {};
   std::vector<ThermometerPlace> sensors = {};
-  std::optional<Network> network = {};  ///< replaces the geometry
+  std::optional<Network> network = {};  ///< thermal network that replaces the geometry
   Cells cells = Cells::medium;
   double step = unset;  ///< longest time step [s]; NaN: adaptive
   /// Residuals of temperatures [K] and of displacements [m] up to these values are attributed to

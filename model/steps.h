@@ -13,7 +13,8 @@ namespace raceway::model {
 /// measurements even if the load is only assumed, because no ball equilibrium is solved.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
-/// Effects of a model, by the step at which they act. Create this object once for many predictions.
+/// Effects of a model, grouped by the step of the prediction that they change. Create this object
+/// once for many predictions.
 struct Steps {
   /// Indices in Model::effects. `reading` contains the effects on the measured channel.
   std::vector<std::size_t> entry, condition, lubricant, moment, reading;

@@ -12,7 +12,7 @@ namespace raceway::session {
 
 /// Corrections exported as a program that runs without raceway, or as a table for such a program.
 struct ControlExport {
-  control::ControlPlan plan{};  ///< plan of the export with its notes
+  control::ControlPlan plan{};  ///< corrections to export, with notes
   std::string text{};
   /// For linuxcnc: HAL lines that load the component and connect the axes, and lines that stop it.
   std::string hal{}, hal_shutdown{};
@@ -38,8 +38,8 @@ struct HalFiles {
                                              const Source* record = nullptr);
 
 /// Throws text::InputError if the trust in the correction of a displacement is `do_not_use`, or if
-/// the plan predicts nothing. The message gives the reason and the flag that allows the export
-/// (--accept-untrusted).
+/// the plan contains no prediction. The message gives the reason and the flag that allows the
+/// export (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
 /// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name; empty or "-"

@@ -47,8 +47,8 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
                                        const model::ModelSubject& subject,
                                        const files::ReadOptions& options);
 
-/// Reads one or several files and joins them to one record, otherwise like open_data(). Each file
-/// must be suitable for the model. `model` is the file name in messages.
+/// Reads one or several files like open_data(), and joins them to one record. Each file must be
+/// suitable for the model. `model` is the file name in messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,

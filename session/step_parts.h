@@ -11,7 +11,7 @@
 
 namespace raceway::session {
 
-/// Returns "6000 rpm", "-500 N axial at 6000 rpm", or the name of a load case.
+/// Returns the name of a step: "6000 rpm", "-500 N axial at 6000 rpm", or the name of a load case.
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
 
 /// Returns the friction loss of all bearings of a shaft [W] at a speed [rad/s] and a lubricant

@@ -58,7 +58,7 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 class CsvTable {
  public:
   std::string source;                 ///< file name, for messages
-  std::vector<std::string> comments;  ///< unchanged, from anywhere in the file
+  std::vector<std::string> comments;  ///< all comment lines of the file, unchanged
   std::vector<std::string> header;
   std::vector<std::string> units;  ///< from the row of units; empty without one
   int header_line = 0;             ///< counted from 1
