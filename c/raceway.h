@@ -1,6 +1,6 @@
 /// Friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW and Modelica. Models are
-/// read from TOML (docs/files.md). A state is an operating point: speed, axial load, radial load
-/// and temperature. States and results are plain arrays.
+/// read from TOML (docs/files.md). A state is an operating point: speed, loads and temperature.
+/// States and results are plain arrays.
 ///
 /// Units:    the name of each quantity ends with its unit: rpm, N, C (degrees Celsius), Nmm (N mm).
 /// Returns:  raceway_solve(), raceway_table() and raceway_predict() return 0: done, 1: wrong input,
@@ -13,8 +13,8 @@
 /// Threads:  several threads may call the functions at the same time, even with the same model,
 ///           because a model does not change. Call raceway_free() once for each model, after all
 ///           other calls with this model.
-/// Errors:   no function throws, prints or ends the program. If memory runs out, a function that
-///           computes results returns 1, and a function that creates a model returns NULL.
+/// Errors:   no function throws, prints or ends the program. If memory runs out, functions that
+///           compute return 1, and functions that create a model return NULL.
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 
@@ -70,9 +70,8 @@ RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* mess
 /// Frees a model. Do not use the model afterwards. A call with NULL does nothing.
 RACEWAY_API void raceway_free(raceway_model* model);
 
-/// Returns the notes and warnings from reading the model, one per line; for example, the number of
-/// default values in the model. The text is valid until the model is freed. The text is empty if
-/// `model` is NULL.
+/// Returns the notes and warnings from reading the model, such as the number of default values, one
+/// per line. The text is valid until the model is freed. The text is empty if `model` is NULL.
 RACEWAY_API const char* raceway_messages(const raceway_model* model);
 
 /// Returns the number of result columns of raceway_solve() and raceway_table(); 0 if `model` is
@@ -137,10 +136,10 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
                               double* values, int* status, char* message, size_t message_size);
 
 /// Predicts the reading of a rig [N mm]: the friction torque of all its bearings (`bearings` under
-/// [rig]) with the effects of the model on the sensor. In contrast, the column friction_torque_Nmm
-/// of raceway_solve() is the torque of one bearing without effects on the sensor. The balls are
-/// solved only if the model needs them. For a model that does not need the balls, the function is
-/// several times faster than raceway_solve().
+/// [rig]) with the effects of the model on the sensor. The column friction_torque_Nmm of
+/// raceway_solve() is for one bearing, without effects on the sensor. The balls are solved only if
+/// the model needs them. For a model that does not need the balls, the function is several times
+/// faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` receives
 /// `count` values. `status` receives `count` values or is NULL. The function returns

@@ -230,9 +230,8 @@ struct Exclusions {
   /// `table`, because a friction table may contain only the total moment. Effects on the lubricant
   /// and corrections of the base law are never allowed with this law and need no flag.
   bool of_viscous_moment = false;
-  /// Reason why cylindrical rollers do not have the effect. The text may be empty for effects on
-  /// the condition and for effects that use ball loads, because such effects are never allowed for
-  /// rollers.
+  /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
+  /// that use ball loads need no text: they are never allowed for rollers.
   std::string_view not_for_rollers = {};
 };
 
@@ -300,8 +299,8 @@ struct Actions {
 };
 
 /// Entry of one physical effect in the catalogue. Each effect is a struct in its own file (see
-/// spin_friction.h). A Description has the members of such a struct, so that the program can select
-/// an effect by its id at run time.
+/// spin_friction.h). A Description has the members of such a struct; the program finds it by its
+/// id.
 ///
 /// An effect with different laws for the sets of a shaft and for a bearing on a rig has two
 /// descriptions with the same id and separate parameters. The kind of model selects the

@@ -22,8 +22,8 @@ struct SensorOffset : SensorFault<card> {
   }
 };
 
-/// The offset has the same influence as the effect seal-friction with slope zero. Measurements in
-/// both directions of rotation distinguish the two effects.
+/// The offset equals seal-friction with slope zero, but it does not change sign with the direction
+/// of rotation.
 inline constexpr SensorCard<3> torque_offset{
     .channel = record::friction_torque,
     .id = "torque-offset",

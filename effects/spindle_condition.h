@@ -31,8 +31,8 @@ struct SpindleCondition {
   double sleeve_reach = 1.0;
   /// Temperature rise of the machine at the flange [K], and its time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;
-  /// Preload that determines the friction [1]: 0 for the preload selected in the model (cold or
-  /// warm), 1 for the preload in the other of these two conditions.
+  /// Preload that determines the friction [1]: 0: preload selected in the model (cold or warm); 1:
+  /// the other of these two preloads.
   double other_preload_feedback = 0.0;
   [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
 };

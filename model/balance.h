@@ -7,7 +7,7 @@
 namespace raceway::model {
 
 /// Oil properties that determine the rotation of the balls without race control. All members are
-/// zero with race control. A change of a member changes the equilibrium.
+/// zero with race control.
 struct BallTurning {
   double temperature = 0.0;                                 ///< temperature of the oil [K]
   double viscosity_40C = 0.0, viscosity_100C = 0.0;         ///< [m²/s]

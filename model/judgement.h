@@ -13,8 +13,8 @@
 /// docs/limits.md lists all limits.
 namespace raceway::model {
 
-/// A limit that a result should not exceed. If the limit gives a warning, change the design or the
-/// operating point. If it gives a note, no change is necessary.
+/// A limit that a result should not exceed. After a warning, change the design or the operating
+/// point. A note requires no change.
 struct Limit {
   std::string_view id;     ///< id in JSON documents
   double value;            ///< in `unit`; NaN if it depends on the bearing
@@ -84,7 +84,7 @@ struct Finding {
 
 using Findings = std::vector<Finding>;
 
-/// Returns the finding that one result exceeds a limit. `value` is in the unit of the limit.
+/// Returns the finding that `value`, in the unit of the limit, exceeds the limit.
 [[nodiscard]] Finding finding(const Limit& limit, double value, std::string text);
 
 [[nodiscard]] std::vector<std::string> warnings_of(const Findings& findings);
@@ -100,10 +100,10 @@ struct JudgedBearing {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
 };
 
-/// Compares the results of operating points with the limits, one point at a time. A judge finds
-/// balls that have lost the inner race, balls that do not lie against the shoulders of an
-/// angular-contact bearing (bearing/seat.h), and results beyond a limit. For each finding, the
-/// judge stores the number of points and the worst point.
+/// Compares operating points with the limits, one by one. A judge finds balls that have lost the
+/// inner race, balls that do not lie against the shoulders of an angular-contact bearing
+/// (bearing/seat.h), and results beyond a limit. For each finding, the judge stores the number of
+/// points and the worst point.
 class Judge {
  public:
   explicit Judge(const Model& model);
@@ -112,15 +112,14 @@ class Judge {
   /// shaft and is empty for a rig.
   void look(const bearing::Bearing& bearing, const std::string& place,
             const bearing::OperatingPoint& point, const JudgedBearing& state);
-  /// Compares only the speed and the lubricant temperature of a bearing with their limits.
+  /// Compares only speed and lubricant temperature with their limits.
   void look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
                      const bearing::OperatingPoint& point);
   /// If the law of the model is a friction table, checks if a rotating bearing is outside the range
   /// of the table.
   void look_at_table(const std::string& place, const bearing::OperatingPoint& point,
                      double axial_load, double radial_load);
-  /// Compares the preload with its limit. The preload is the smaller axial force of the two sets
-  /// [N]; the limit is a multiple of the force as mounted, `mounted` [N].
+  /// Compares the preload, the smaller axial force of the two sets, with the force as mounted [N].
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
   /// Adds the findings of another judge for the same model.
@@ -154,8 +153,7 @@ class Judge {
   std::size_t turning_ = 0;  ///< number of states of rotating bearings with the law `table`
 };
 
-/// Returns true if the density of the balls is much lower than the density of the rings. Silicon
-/// nitride is an example.
+/// Returns true if the balls are much less dense than the rings, as balls of silicon nitride are.
 [[nodiscard]] bool has_ceramic_balls(const bearing::Bearing& bearing);
 /// Returns true if the model has ceramic balls; false for rollers.
 [[nodiscard]] bool has_ceramic_balls(const Model& model);

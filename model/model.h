@@ -48,8 +48,7 @@ struct Shaft {
   bool own_bearings = false;
 };
 
-/// Limiting speeds of a bearing with oil and with grease, as in the catalogue [rad/s]; NaN if the
-/// catalogue does not give them.
+/// Limiting speeds in the catalogue of a bearing [rad/s]; NaN if not given.
 struct PrintedSpeed {
   double oil = unset, grease = unset;
 };
@@ -81,8 +80,8 @@ struct Model {
   LifeData life = {};
   PrintedSpeed printed_speed = {};  ///< catalogue speeds; NaN if the sets have different bearings
   Rig rig;
-  /// Names of the parameters that a fit may change, as in parameters(). If the list is empty,
-  /// default_free() gives the names.
+  /// Names of the parameters that a fit may change, as in parameters(). An empty list means
+  /// default_free().
   std::vector<std::string> free;
   /// Shaft of the model. The member `bearing` above is then the first bearing of the front set.
   std::optional<Shaft> shaft = {};

@@ -12,8 +12,8 @@
 namespace raceway::model {
 
 /// Returns all parameters of a model that a fit can change, with their values in the model. The
-/// order is: base law, arrangement, bearing, spindle, then the effects in their order. The lines
-/// below give the name of each parameter, and its address or addresses in the model file.
+/// order is: base law, arrangement, bearing, spindle, then the effects in their order. Each line
+/// below gives the name of a parameter and its addresses in the model file.
 ///
 ///   f0, z, y, mu_bl, scale ...  friction.f0; limiting_traction: lubricant.limiting_traction
 ///   preload_N                   arrangement.preload_N: force on each set at standstill
@@ -36,8 +36,8 @@ namespace raceway::model {
 ///
 /// Parameters of the bearing exist only with a shaft whose sets have equal bearings. Each of these
 /// parameters has one value for all bearings of the arrangement. The preload is a parameter only if
-/// it is given as a force. Only parameters of effects have `neutral` and a plausible range; for all
-/// other parameters these members are NaN.
+/// it is given as a force. `neutral` and the plausible range are NaN except for parameters of
+/// effects.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
 /// Returns the usual range of an effect's parameter for the size of the model's bearing, in the

@@ -62,7 +62,7 @@ struct FrictionPrediction {
                                                    const FrictionPrediction& prediction);
 
 /// Returns the contact friction of the balls in a converged prediction by the contact law,
-/// including effects on the film. Balls with equal loads are returned once.
+/// including effects on the film. Balls with equal loads occur once.
 [[nodiscard]] std::vector<friction::contact::BallFriction> ball_contacts(
     const Model& model, const bearing::OperatingPoint& point, const FrictionPrediction& prediction);
 
@@ -99,9 +99,9 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 [[nodiscard]] std::vector<FrictionPrediction> predict_rows(const Model& model,
                                                            const record::Record& record);
 
-/// Returns the share of an added moment for one bearing [1]. On a coast-down rig, drag on the rotor
-/// exists once, so the share is 1/bearings (effects::Nature::drags_on_the_rotor). For every other
-/// effect, the share is 1.
+/// Returns the share of an added moment for one bearing [1]. The share is 1/bearings for drag on
+/// the rotor of a coast-down rig (effects::Nature::drags_on_the_rotor), and 1 for every other
+/// effect.
 [[nodiscard]] double share_of_bearing(const effects::Description& effect, const Rig& rig);
 
 /// Returns the torque of all bearings of a rig on one shaft, M = bearings * M_bearing [N m],

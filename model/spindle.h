@@ -106,9 +106,9 @@ struct Seat {
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
-  /// Clamping forces of the inner rings with their spacers, and of the outer rings [N]. If a force
-  /// is given, the conductance of these side faces depends on the contact pressure. If a force is
-  /// NaN, these side faces have shoulder_conductance, and the spacers have no contact resistance.
+  /// Clamping forces of the inner rings with their spacers, and of the outer rings [N]. With a
+  /// force, the conductance of the side faces depends on the contact pressure. If the force is NaN,
+  /// the side faces have shoulder_conductance, and spacers have no contact resistance.
   double inner_clamping_force = unset, outer_clamping_force = unset;
   /// Conductance from a side face of an outer ring to an adjacent collar of the shaft [W/(m² K)].
   /// The default assumes a contact as at a shoulder. An open air gap of 0.1 mm would conduct 270
@@ -181,8 +181,8 @@ struct Ambient {
 struct HeatSource {
   /// Heated place. `shaft` and `housing`: a span of this part. `motor`: shaft and housing between
   /// the sets. `pulley`: the shaft behind the last bearing. `seal`: the shaft between the front
-  /// face of the housing and the first bearing. `bearing`: the raceways of one bearing. If `motor`,
-  /// `pulley` or `seal` has a span, the span is heated instead.
+  /// face of the housing and the first bearing. `bearing`: the raceways of one bearing. A given
+  /// span replaces the place of `motor`, `pulley` and `seal`.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
   /// Name of the source: "motor", "drive" or the name of a [[heat]] in the model file.
   std::string name = {};
@@ -198,8 +198,8 @@ struct HeatSource {
   double radius = unset;          ///< radius of the heated cells [m]; NaN: all cells from the bore
                                   ///< to the surface
   double rotor_diameter = unset;  ///< outer diameter of the motor's rotor [m]
-  /// Share of a motor's heat that enters the shaft; the housing receives the remainder. For heat at
-  /// a bearing: share that enters the inner ring; the outer ring receives the remainder [1].
+  /// Share of a motor's heat that enters the shaft, with the remainder in the housing. For heat at
+  /// a bearing: share that enters the inner ring, with the remainder in the outer ring [1].
   double rotor_share = 1.0;
 };
 
@@ -247,8 +247,8 @@ enum class Cells { coarse, medium, fine };
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// True if the friction is computed from the bearing forces of the warm spindle. False if it is
-  /// computed from the bearing forces of the cold spindle at the same speed.
+  /// True if friction is computed from the bearing forces of the warm spindle; false: of the cold
+  /// spindle at the same speed.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
   double bearing_width = unset;                                     ///< width of one bearing [m]

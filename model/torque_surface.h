@@ -26,8 +26,8 @@ struct TorqueLoad {
 /// value are first raised to this limit, because a row without load or speed has no logarithm.
 [[nodiscard]] std::vector<double> logarithm(std::vector<double> values);
 
-/// Returns the temperature channel if the temperature varies; otherwise an empty list. The
-/// regression then accounts for the scatter of the recorded temperatures.
+/// Returns the channels whose recorded values scatter: the temperature if it varies; otherwise an
+/// empty list.
 [[nodiscard]] std::vector<const record::Channel*> scattering_temperature(
     const record::Record& record);
 

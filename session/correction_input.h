@@ -39,8 +39,7 @@ struct SeriesQuestion {
   files::CorrectionFile file{};
   record::Record data{};
 };
-/// Opens the corrections and the record. Throws the same exceptions as open_corrections() and
-/// open_series().
+/// Opens both files. Throws the same exceptions as open_corrections() and open_series().
 [[nodiscard]] SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
                                         const Reading& reading,
                                         Defaults defaults = Defaults::count);

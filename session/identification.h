@@ -59,8 +59,7 @@ struct Identified {
 [[nodiscard]] Identified identify(Messages& messages, SeriesQuestion asked,
                                   const IdentifyChoices& choices);
 
-/// ARX models (linear difference equations) of each requested order, for each displacement of the
-/// file.
+/// ARX models of each requested order, for each displacement of the file.
 struct ArxModels {
   SeriesQuestion asked{};
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found{};

@@ -14,8 +14,8 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Compares the results for bearings, shafts and spindles with the limits in docs/limits.md
-/// (model::Judge), and rejects inputs outside the physical range of a bearing.
+/// Compares results with the limits in docs/limits.md, and rejects inputs outside the physical
+/// range of a bearing.
 namespace raceway::session {
 
 /// Compares the mounted model with the limits: the contact pressure from the preload, and the
@@ -27,7 +27,7 @@ namespace raceway::session {
 /// warning if [seat] and the effect interference-fit have different interferences.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
-/// Returns the findings with `is_warning` as warnings, and omits all other findings.
+/// Returns only the findings with `is_warning`, as warnings.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
 /// Returns all findings: findings with `is_warning` as warnings, all others as notes.
@@ -65,8 +65,8 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const results::SteadyState> states);
 
-/// Compares the simulation of a spindle over a speed programme with the limits. The results of the
-/// programme contain no contacts, so each bearing is solved again under its largest force.
+/// Compares a spindle over a speed programme with the limits. The results of the programme contain
+/// no contacts, so each bearing is solved again under its largest force.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);
@@ -77,8 +77,8 @@ class JudgedColumns {
                                     const results::DeflectionResult& result, Wording wording);
 
 /// Returns a note for a result that does not store the states of the bearings. The note says that
-/// the result does not count the states outside the range of the torque table. A model without a
-/// torque table gives no note.
+/// states outside the range of the torque table are not counted. A model without a torque table
+/// gives no note.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Compares speeds [rad/s] with the limits of the bearings.

@@ -11,8 +11,8 @@
 
 namespace raceway::session {
 
-/// Law of the kinematic displacement (the displacement that follows the speed immediately), fitted
-/// to a measured curve of displacement over speed.
+/// Law of the kinematic displacement, which follows the speed without delay, fitted to a measured
+/// curve of displacement over speed.
 struct LawFit {
   files::DisplacementCurve curve{};
   shaft::KinematicLawFit fit{};

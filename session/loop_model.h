@@ -44,8 +44,8 @@ struct LoopOptions {
   std::string channel{};
   Part part = Part::any;
   Defaults defaults = Defaults::count;
-  /// Function that changes a model after it was read; may be empty. Its arguments are the model and
-  /// the index of this model in the file.
+  /// Function that changes a model after it was read; may be empty. The second argument is the
+  /// index of the model in the file.
   std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
@@ -164,9 +164,9 @@ class LoopModel {
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the model that the options select from a file, and adds notes on it. If several models
-/// match, `place` is the index among them. Throws text::InputError for a file that cannot be read,
-/// for an invalid tolerance, and if the file has several models and the options select none.
+/// Opens the model that the options select from a file, and adds notes on it. `place` is the index
+/// among several such models. Throws text::InputError for a file that cannot be read, for an
+/// invalid tolerance, and if the file has several models and the options select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);

@@ -17,8 +17,7 @@ namespace raceway::session {
 enum class Accepts { rig, rig_or_shaft, shaft };
 
 /// Treatment of default values in a model. `count` adds a note with the number of default values.
-/// `keep` adds no such note; it is for a command that lists the default values, and for a model
-/// that is opened again.
+/// `keep` adds no note; use it if the command lists the default values or opens the model again.
 enum class Defaults { count, keep };
 
 /// Sends notes on a file as messages. Each text begins with the name of the file.

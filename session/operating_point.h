@@ -11,9 +11,8 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Functions that build operating points from a request. Missing values come from the model. The
-/// functions check the ranges of the values and the loads of a shaft. All requested values are in
-/// the units of files.
+/// Builds operating points from requested values in the units of files. Missing values come from
+/// the model. The ranges and the loads of a shaft are checked.
 namespace raceway::session {
 
 /// Requested operating point. A NaN load or temperature is replaced by the value of the model. On a

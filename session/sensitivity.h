@@ -17,8 +17,8 @@
 namespace raceway::session {
 
 struct SensitivityQuestion {
-  /// Predictions as words ("torque") or column names. If the list is empty, the prediction is the
-  /// torque for a bearing, and the displacement for a shaft or spindle.
+  /// Predictions as words ("torque") or column names. An empty list means the torque of a bearing,
+  /// or the displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
   /// Operating points: all combinations of these values. Speeds are required. If another list is
   /// empty, the value of the model is used.
@@ -29,8 +29,8 @@ struct SensitivityQuestion {
   /// If `inputs` is empty, the model gives these values.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
-  /// Names of the data to vary. The name of a table of the model file stands for all data in this
-  /// table. If the list is empty, all data are varied.
+  /// Names of the data to vary. The name of a table in the model file means all its data. An empty
+  /// list means all data.
   std::vector<std::string> data{};
   std::size_t samples = 0;  ///< number of samples for the Sobol' indices; 0: no indices
   std::uint64_t seed = 1;

@@ -21,8 +21,8 @@ struct CalibratedSensor {
 };
 
 /// Fits a polynomial to the readings of a torque sensor. If no degree is given, uses the lowest
-/// degree that fits the readings within their scatter. Throws text::InputError for a file that
-/// cannot be read and for readings that do not determine the curve.
+/// degree that fits the readings. Throws text::InputError for a file that cannot be read and for
+/// readings that do not determine the curve.
 [[nodiscard]] CalibratedSensor calibrate_sensor(Messages& messages, const Source& readings,
                                                 const Reading& reading, std::optional<int> degree);
 

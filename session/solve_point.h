@@ -43,8 +43,8 @@ struct PointAnswer {
                                      const PointAnswer& answer);
 
 /// Returns notes on the results at one point: the exceeded limits, and notes on loads and contacts
-/// of the bearings. Three cases give warnings: findings with `is_warning`, unloaded bearings of a
-/// shaft, and contact ellipses that extend over a shoulder.
+/// of the bearings. Findings with `is_warning`, unloaded bearings of a shaft, and contact ellipses
+/// that extend over a shoulder give warnings.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

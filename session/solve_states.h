@@ -13,9 +13,9 @@
 
 namespace raceway::session {
 
-/// Array of doubles that the caller provides and the function reads without a copy. Each stride is
-/// the number of bytes from one double to the next along one dimension; with 0, all states along
-/// this dimension use the same double. If `data` is null, the value of the model is used.
+/// Array of doubles of the caller, read without a copy. Each stride is the number of bytes from one
+/// double to the next along one dimension; 0 repeats the double along this dimension. If `data` is
+/// null, the value of the model is used.
 struct NumberArray {
   const char* data = nullptr;
   std::vector<std::ptrdiff_t> strides{};
@@ -40,19 +40,19 @@ struct SolvedStates {
   std::vector<bearing::SolveStatus> status;
 };
 
-/// Returns the names of all columns of solve_states() for a model, without the columns of a band.
+/// Returns the columns of solve_states() for a model, without band columns.
 [[nodiscard]] std::vector<std::string> state_columns(const model::Model& model);
 
 /// Solves a bearing or the sets on a shaft at many states on all cores. On a shaft, axial loads are
 /// external loads. The results of a state do not depend on the number of threads or on any other
 /// state.
 ///
-/// `columns` lists the requested columns; if it is empty, all columns are computed. If `band` is
-/// given, the columns of the band follow (band_columns()). Loads and temperatures that are not
-/// given come from the model. Throws text::InputError for a missing speed or load, for a number out
-/// of its range (with its place in the array), for an unknown column, and for radial loads or
-/// moments on a shaft. Throws fit::Cancelled if `cancelled` is set during the calculation. The
-/// function needs memory for the returned arrays and for one block of states per thread.
+/// `columns` lists the requested columns; an empty list means all columns. If `band` is given, the
+/// columns of the band follow (band_columns()). Loads and temperatures that are not given come from
+/// the model. Throws text::InputError for a missing speed or load, for a number out of its range
+/// (with its place in the array), for an unknown column, and for radial loads or moments on a
+/// shaft. Throws fit::Cancelled if `cancelled` is set during the calculation. The function needs
+/// memory for the returned arrays and for one block of states per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},

@@ -34,8 +34,8 @@ struct StepQuestion {
   const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
 };
 
-/// Responses of a spindle to steps of speed or load, simulated or read from a file. The laws K(P)
-/// and T(P) give the gain and the time constant of all responses over the power P.
+/// Responses of a spindle to steps of speed or load, simulated or read from a file. K(P) and T(P):
+/// gain and time constant over the power P.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
   std::string source{};                    ///< name of the file that gave the responses
@@ -53,8 +53,8 @@ struct SpindleSteps {
   /// Returns a warning with the reason for each step without a response.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
-  /// Returns the step responses as JSON. `error` is the comparison of a correction with the full
-  /// simulation over a speed programme; null if this comparison was not requested.
+  /// Returns the step responses as JSON. `error` is the result of superposition_of_steps(), or
+  /// null.
   [[nodiscard]] std::string json(const results::Superposition* error = nullptr) const;
   [[nodiscard]] std::string page(const results::Superposition* error = nullptr,
                                  const std::string& programme = {}) const;
@@ -90,8 +90,8 @@ struct StepCorrectionQuestion {
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
 /// Compares a correction from step responses with the full simulation of the spindle over a
-/// programme of speeds and loads. The programme is a file in the format of spindle records. Throws
-/// the same exceptions as results::superposition().
+/// programme of speeds and loads, read as a spindle record. Throws the same exceptions as
+/// results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,
     const Source& programme, const std::atomic<bool>* cancelled = nullptr);

@@ -15,8 +15,8 @@ namespace raceway::session {
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
 
 /// Returns the friction loss of all bearings of a shaft [W] at a speed [rad/s] and a lubricant
-/// temperature [C]. If the temperature is NaN, the rig temperature of the model is used. Throws
-/// std::invalid_argument if the point has no equilibrium.
+/// temperature [C]. NaN means the rig temperature of the model. Throws std::invalid_argument if the
+/// point has no equilibrium.
 [[nodiscard]] double friction_power(const model::Model& model, double speed, double temperature);
 
 /// Returns the displacement [m] that the bearing sets cause at a speed [rad/s] without heating.

@@ -8,10 +8,9 @@
 #include "model/model.h"
 #include "shaft/shaft_prediction.h"
 
-/// Columns of a table in addition to the torque. For a bearing, the columns are friction moments,
-/// contact angles, contact pressures and others. For a shaft, the table has these columns for every
-/// bearing; the last column is the axial position. Results of single states of a bearing also have
-/// columns for stiffness and ball loads.
+/// Columns of a table in addition to the torque. A bearing has columns for moments, contact angles,
+/// pressures and others. A shaft has these columns for every bearing, and the axial position as the
+/// last column. Single states of a bearing also have columns for stiffness and ball loads.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };

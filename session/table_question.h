@@ -31,8 +31,7 @@ struct TablePlan {
   friction::TableAxes axes;
   std::vector<std::string> columns;
 };
-/// Checks the request and returns grid and column names. Throws the same exceptions as
-/// table_axes().
+/// Returns grid and column names. Throws the same exceptions as table_axes().
 [[nodiscard]] TablePlan plan_table(Messages& messages, const files::ModelFile& file,
                                    const TableQuestion& question);
 
@@ -55,8 +54,8 @@ struct TableAnswer {
   }
 };
 
-/// Solves all points of the table on all cores. `progress` receives the finished share of the work,
-/// 0 to 1. Throws fit::Cancelled if `cancelled` is set during the calculation.
+/// Solves all points on all cores. `progress` receives the finished share, 0 to 1. Throws
+/// fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] TableAnswer make_table(const files::ModelFile& file, const TableQuestion& question,
                                      TablePlan plan,
                                      const std::function<void(double)>& progress = {},

@@ -10,8 +10,8 @@
 
 namespace raceway::text {
 
-/// Collects the invalid cells of a table for one error message. The message shows the first ten
-/// invalid cells in the order of their lines, and the number of all invalid cells.
+/// Collects invalid cells for one error message, which shows the first ten by line and the number
+/// of all invalid cells.
 class BadCells {
  public:
   /// `rows` is the number of rows of the table, for the message.

@@ -13,8 +13,8 @@ namespace raceway::text {
 /// missing or unreadable file, a directory, a known binary format, NUL bytes, or more than 4 GB.
 [[nodiscard]] std::string read_text(const std::string& path, bool* byte_order_mark = nullptr);
 
-/// Returns the whole text of an input like read_text(). read_text() can still read the same input
-/// afterwards, even standard input.
+/// Returns the same text as read_text(), which can still read the input afterwards, even standard
+/// input.
 [[nodiscard]] std::string peek_text(const std::string& path);
 
 }  // namespace raceway::text

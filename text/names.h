@@ -30,8 +30,7 @@ using record::edit_distance;
 /// Returns the text in quotes for TOML, with quotes and backslashes written as \" and \\.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// Returns the names as one text, such as "a, b and c"; `last_word` is the word before the last
-/// name.
+/// Returns a text such as "a, b and c"; `last_word` is the word before the last name.
 [[nodiscard]] std::string listed(std::span<const std::string> names,
                                  std::string_view last_word = "and");
 

@@ -6,10 +6,9 @@
 
 namespace raceway::text {
 
-/// Behaviour if the output file exists. `replace` overwrites the file; the other two values throw
-/// an error. With `refuse`, the error message names the flag --force, which allows overwriting.
-/// With `refuse_naming_replace`, the message names the flag --replace, because --force is a load in
-/// some commands.
+/// Behaviour if the output file exists. `replace` overwrites the file. With `refuse`, the error
+/// message names the flag --force, which allows overwriting. With `refuse_naming_replace`, it names
+/// the flag --replace, because --force is a load in some commands.
 enum class IfExists { refuse, refuse_naming_replace, replace };
 
 /// Throws InputError if write_text() would fail: for a name of a binary format such as a workbook

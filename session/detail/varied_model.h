@@ -78,7 +78,7 @@ struct Outcome {
   }
 };
 
-/// Input values of the model and of the request that can be varied. A datum is one such value.
+/// Input values ("data") of the model and of the request that can be varied.
 class Data {
  public:
   Data(const files::ModelFile& file, const SensitivityQuestion& question,
