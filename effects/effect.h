@@ -46,11 +46,11 @@ enum class Need {
   several_axial_loads,  ///< more than one axial load, even if other settings vary
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above
-  ball_load_law,  ///< the law contact or an effect that uses ball loads; other laws do not use them
-  palmgren_law,   ///< a law other than table and skf; the law skf already contains the effect
-  opposed_sets,   ///< bearings at both ends of the shaft
-  torque_standard,  ///< known torque that fixes the scale of the readings
-  cold_friction     ///< a spindle whose friction is computed with the forces of the cold sets
+  ball_load_law,        ///< a law or an effect that uses ball loads, such as the law contact
+  palmgren_law,         ///< a law other than table and skf; the law skf already contains the effect
+  opposed_sets,         ///< bearings at both ends of the shaft
+  torque_standard,      ///< known torque that fixes the scale of the readings
+  cold_friction         ///< a spindle whose friction is computed with the forces of the cold sets
 };
 
 /// Returns the missing data in words: "time_s of every row".

@@ -4,7 +4,7 @@
 
 namespace raceway::model {
 
-/// Life data of a bearing; missing ratings follow from its geometry.
+/// Inputs of the rating life of a bearing. Missing ratings are computed from its geometry.
 struct LifeData {
   double dynamic_load_rating = unset;  ///< C [N]; unset: from ISO 281
   double fatigue_load = unset;         ///< C_u [N]; unset: from ISO 281

@@ -28,7 +28,8 @@ namespace raceway::model {
 /// Returns an explanation of a datum, for any model; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_explained(std::string_view id);
 
-/// Returns "contact angle 24.1 deg instead of the entered 25"; empty if the id is not a datum.
+/// Describes a corrected datum: "contact angle 24.1 deg instead of the entered 25"; empty if the id
+/// is not a datum.
 [[nodiscard]] std::string own_datum_text(const Model& model, std::string_view id, double value);
 
 }  // namespace raceway::model

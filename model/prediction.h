@@ -53,8 +53,8 @@ struct FrictionPrediction {
 }
 
 /// Returns the names of the terms of a torque: terms of the base law, then the effects.
-///   palmgren, skf, powers: load, viscous     contact: rolling, sliding, hysteresis, drag
-///   table: table
+///   contact: rolling, sliding, hysteresis, drag     table: table
+///   all other laws: load, viscous
 [[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
 /// Returns the torque parts of a prediction in the order of torque_parts() [N m]; NaN for a missing
 /// part.
@@ -71,11 +71,11 @@ struct FrictionPrediction {
 [[nodiscard]] std::string why_not_converged(const Model& model,
                                             const FrictionPrediction& prediction);
 
-/// Predicts the friction of one bearing [N m] in four steps. Effects can change each step:
+/// Predicts the friction of one bearing [N m] in steps, each of which effects can change:
 ///
 ///   condition    extra load, tilt, growth of rings, ball material: changes add up
 ///   -> ball equilibrium, if an effect needs it or `with_equilibrium` requests it
-///   lubricant    viscosity of the film and share of the viscous moment, in the order of the
+///   lubricant    viscosity of the film and factor on the viscous moment, in the order of the
 ///                catalogue
 ///   -> base law at the actual load and the film's viscosity; Palmgren's with the original bearing
 ///   moment       added moments, each computed from the base moments

@@ -36,10 +36,10 @@ class RowPredictor {
   /// of the model that act before the stage `from` must be the same as in the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
-  /// Returns the case whose equilibrium predict() will need, so that a caller can solve many cases
-  /// together and pass the results to answer(). The result is empty if no equilibrium is needed, if
-  /// it is already stored, if an input is unknown, or if the equilibrium has an imposed tilt or
-  /// traction-controlled balls.
+  /// Returns the bearing and loads whose equilibrium predict() will need, so that a caller can
+  /// solve many cases together and pass the results to answer(). The result is empty if no
+  /// equilibrium is needed, if it is already stored, if an input is unknown, or if the equilibrium
+  /// has an imposed tilt or traction-controlled balls.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
   /// Solves only the equilibrium, as predict() would.

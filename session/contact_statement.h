@@ -20,7 +20,7 @@ namespace raceway::session {
                                           const bearing::OperatingPoint& point);
 
 /// Returns notes on a bearing in equilibrium, one line each: a load at which balls may skid, a
-/// gyroscopic moment that friction cannot balance, and a life that the standard does not cover.
+/// gyroscopic moment that friction cannot balance, and a rating life that ISO 281 does not cover.
 [[nodiscard]] std::vector<std::string> notes_on_state(const model::Model& model,
                                                       const bearing::Bearing& bearing,
                                                       const bearing::OperatingPoint& point,

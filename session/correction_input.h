@@ -15,8 +15,8 @@
 
 namespace raceway::session {
 
-/// Reads a file of corrections and adds notes on it. With Defaults::count, one note gives the
-/// number of default values used. Throws text::InputError for a file that cannot be read.
+/// Reads a file of corrections and sends notes to `messages`. With Defaults::count, one note gives
+/// the number of default values used. Throws text::InputError for a file that cannot be read.
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
@@ -26,7 +26,7 @@ namespace raceway::session {
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
-/// Reads a time record for all of these models and adds notes on it. Only readings within the
+/// Reads a time record for all `models` and sends notes to `messages`. Only readings within the
 /// period are used. Isolated readings, which jump and return, are removed. If the readings arrive
 /// `one_by_one`, isolated readings are kept, because the program cannot know the next reading.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,

@@ -28,8 +28,8 @@ struct LoopQuestion {
   [[nodiscard]] const std::string& source() const { return model->about().source; }
 };
 
-/// Opens the model and the measurements and adds notes on them. Throws the same exceptions as
-/// open_loop_model(), LoopModel::read() and LoopModel::for_fit().
+/// Opens the model and the measurements and sends notes to `messages`. Throws the same exceptions
+/// as open_loop_model(), LoopModel::read() and LoopModel::for_fit().
 [[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
                                const std::vector<Source>& data, const LoopOptions& options);
 

@@ -31,7 +31,7 @@ class LoopModel;
 using LoopModels = std::vector<std::unique_ptr<LoopModel>>;
 using Names = std::vector<std::string>;
 
-/// Part of a model file.
+/// Kind of model to open from a model file.
 enum class Part { any, bearing, correction };
 
 /// Options of a calibration, diagnosis or comparison, in addition to model and record.
@@ -76,7 +76,7 @@ struct FittedTexts {
 /// A model compared with a record.
 struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
-  std::vector<verdict::Comparison> errors{};  ///< comparison of each measured channel
+  std::vector<verdict::Comparison> errors{};  ///< errors of each measured channel
   /// for a correction: rows with inputs outside the training data
   std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
@@ -105,9 +105,9 @@ class LoopModel {
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written(
       const record::Record& data) const = 0;
 
-  /// Reads measurements for this model and for the models in `compared_with`, and adds notes on the
-  /// data. Several files are joined to one record. Throws text::InputError for data that cannot be
-  /// read.
+  /// Reads measurements for this model and for the models in `compared_with`, and sends notes to
+  /// `messages`. Several files are joined to one record. Throws text::InputError for data that
+  /// cannot be read.
   [[nodiscard]] virtual record::Record read(Messages& messages, const std::vector<Source>& data,
                                             const Reading& reading,
                                             const LoopModels& compared_with = {}) const = 0;
@@ -120,8 +120,8 @@ class LoopModel {
   /// name is ambiguous.
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
-  /// Adds notes if the model is compared with another model, `first`. Throws text::InputError if
-  /// the two models cannot be compared.
+  /// Sends notes on the comparison with another model, `first`. Throws text::InputError if the two
+  /// models cannot be compared.
   virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
   /// Compares the model with a record, after a fit of the parameters named in `how` and
   /// `per_record`. Throws std::invalid_argument if the record does not allow the comparison.
@@ -164,9 +164,9 @@ class LoopModel {
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the model that the options select from a file, and adds notes on it. `place` is the index
-/// among several such models. Throws text::InputError for a file that cannot be read, for an
-/// invalid tolerance, and if the file has several models and the options select none.
+/// Opens the model that the options select from a file, and sends notes to `messages`. `place` is
+/// the index among several such models. Throws text::InputError for a file that cannot be read, for
+/// an invalid tolerance, and if the file has several models and the options select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);

@@ -23,8 +23,8 @@ enum class Defaults { count, keep };
 /// Sends notes on a file as messages. Each text begins with the name of the file.
 void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
 
-/// Reads a model and adds notes on it. With Defaults::count, one note gives the number of default
-/// values used. Throws text::InputError if the command does not accept this kind of model.
+/// Reads a model and sends notes to `messages`. With Defaults::count, one note gives the number of
+/// default values used. Throws text::InputError if the command does not accept this kind of model.
 [[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
                                           Accepts accepts = Accepts::rig,
                                           Defaults defaults = Defaults::count);
@@ -58,7 +58,7 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 
-/// Adds a note to `messages` if all torques of the record have one unknown scale factor.
+/// Adds a note if all torques of the record have one unknown scale factor.
 void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages);
 
 }  // namespace raceway::session

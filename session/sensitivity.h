@@ -20,8 +20,8 @@ struct SensitivityQuestion {
   /// Predictions as words ("torque") or column names. An empty list means the torque of a bearing,
   /// or the displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
-  /// Operating points: all combinations of these values. Speeds are required. If another list is
-  /// empty, the value of the model is used.
+  /// Operating points: all combinations of these values. Speeds are required. For an empty list of
+  /// loads or temperatures, the value of the model is used.
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< true: steady state of the whole spindle at each speed
   bool coolant_on = true;
@@ -49,13 +49,13 @@ struct SensitivityQuestion {
 /// Returns the derivative of each requested prediction with respect to each varied datum and, on
 /// request, the Sobol' indices.
 ///
-/// The derivative is (4 D(h/2) - D(h))/3, where D is the central difference with the steps h/2 and
-/// h. The difference is one-sided if the model rejects values on the other side. The step h is 0.1
-/// % of the datum, or 0.1 K for a temperature. For steady states of a spindle, the step is ten
-/// times larger, because a steady state is found by iteration. For an integer datum such as the
-/// number of balls, the step is 1, and there is no second step.
+/// The derivative is (4 D(h/2) - D(h))/3, where D(h) is the central difference with step h. The
+/// difference is one-sided if the model rejects values on the other side. The step h is 0.1 % of
+/// the datum, or 0.1 K for a temperature. For steady states of a spindle, the step is ten times
+/// larger, because a steady state is found by iteration. For an integer datum such as the number of
+/// balls, the step is 1, and there is no second step.
 ///
-/// The spreads come from `question`. If a spread is not given, the spread of a fitted number is
+/// The spreads come from `question`. If a spread is not given, the spread of a fitted parameter is
 /// sqrt(3) times its standard error. This is half the width of a uniform distribution whose
 /// standard deviation is the standard error. For all other data, the spread is 1 % of the value, 1
 /// K for a temperature and 1 for an integer. Global samples are uniform between value - spread and

@@ -25,7 +25,7 @@ struct NumberArray {
 
 /// Operating points as arrays of one shape, in the units of files.
 struct StateArrays {
-  std::vector<std::size_t> shape;  ///< empty: one state
+  std::vector<std::size_t> shape;  ///< shape of the arrays; empty: one state
   NumberArray speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{}, moment_y_Nmm{},
       moment_z_Nmm{};
 

@@ -25,7 +25,7 @@ struct DeflectionQuestion {
   /// direction as a positive radial force at a position nearer to the tool
   double moment = 0.0;
   double at = 0.0;         ///< distance of the force behind the nose face [m]
-  double speed = 0.0;      ///< [rad/s]
+  double speed = 0.0;      ///< shaft speed [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
   bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
   Wording wording = Wording::arguments;          ///< selects the argument names in error messages

@@ -29,14 +29,14 @@ void require_spindle(const files::ModelFile& file);
 [[nodiscard]] std::string words(const results::MeshEstimate& mesh);
 
 struct SteadyQuestion {
-  std::vector<double> speeds{};        ///< [rad/s]
+  std::vector<double> speeds{};        ///< shaft speeds [rad/s]
   double ambient_temperature = unset;  ///< ambient temperature [K]; NaN: value of the model
   bool coolant_on = true;
   /// axial load at the nose, positive towards the tool [N]; NaN means the value of the model
   double axial_load = unset;
   double radial_load = 0.0;    ///< radial load at the nose, in the direction of y [N]
   double moment = 0.0;         ///< moment at the nose [N m]; positive if it turns the shaft like a
-                               ///< positive force in front of the nose
+                               ///< positive radial force in front of the nose
   double belt_force = unset;   ///< pull of the belt [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
   bool assumptions = false;    ///< true adds the most influential assumed values

@@ -23,19 +23,19 @@ namespace raceway::session {
 inline constexpr text::NumberRange step_hours_range{0.1, 1000.0, "h"};
 
 struct StepQuestion {
-  std::vector<double> speeds{};  ///< [rad/s], rising
-  /// Load steps at the nose [N], rising. Each load is applied at every speed of `load_speeds`; if
-  /// that list is empty, at all speeds.
+  std::vector<double> speeds{};  ///< speeds in rising order [rad/s]
+  /// Load steps at the nose, in rising order [N]. Each load is applied at every speed of
+  /// `load_speeds`, or at all speeds if `load_speeds` is empty.
   std::vector<double> axial_loads{}, radial_loads{};
-  std::vector<double> load_speeds{};  ///< [rad/s], rising
+  std::vector<double> load_speeds{};  ///< in rising order [rad/s]
   double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
   Wording wording = Wording::arguments;          ///< selects the argument names in messages
-  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
+  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
-/// Responses of a spindle to steps of speed or load, simulated or read from a file. K(P) and T(P):
-/// gain and time constant over the power P.
+/// Responses of a spindle to steps of speed or load, simulated or read from a file. K(P) is the
+/// gain and T(P) the time constant over the power P.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
   std::string source{};                    ///< name of the file that gave the responses
@@ -78,7 +78,7 @@ struct StepCorrectionQuestion {
   std::string law = "curve";                     ///< form of K and T: "curve", "power" or "line"
   std::string lags = "auto";                     ///< number of lags: "one", "two" or "auto"
   Wording wording = Wording::arguments;          ///< selects the argument names in notes
-  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
+  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
 /// Returns the correction from the step responses. Throws std::invalid_argument if the step
