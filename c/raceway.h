@@ -107,9 +107,9 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 /// Returns RACEWAY_DONE if all states converged. Returns RACEWAY_WRONG_INPUT and writes no values
 /// for a required pointer that is NULL, a number out of range (the message gives its index, counted
 /// from 0), an axial load that neither the call nor the model gives, or more than 1e8 states.
-/// Returns RACEWAY_NOT_CONVERGED if the status of a state is not RACEWAY_STATUS_CONVERGED. The
-/// converged states then have their results. If the friction law does not need the balls, a state
-/// has a torque even if the balls have no equilibrium.
+/// Returns RACEWAY_NOT_CONVERGED if the status of a state is not RACEWAY_STATUS_CONVERGED. All
+/// converged states have their results. If the friction law does not need the balls, a state has a
+/// torque even if the balls have no equilibrium.
 RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const double* speed_rpm,
                               const double* axial_load_N, const double* radial_load_N,
                               const double* temperature_C, const int* strides, const int* columns,

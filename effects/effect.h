@@ -65,7 +65,7 @@ enum class Need {
 
 /// Values recorded with a row in addition to its operating point; NaN if not recorded.
 struct Record {
-  double time = unset;                    ///< time in the file [s]
+  double time = unset;                    ///< time of the row in its file [s]
   double inner_ring_temperature = unset;  ///< [K]
   double outer_ring_temperature = unset;  ///< [K]
   int run = -1;
@@ -73,7 +73,7 @@ struct Record {
   double since_start = unset;
   double direction = unset;  ///< 1 if the speed was reached from below, -1 if from above
   const record::Record* rows = nullptr;  ///< all recorded rows; null if not known
-  std::size_t row = 0;                   ///< index of this row
+  std::size_t row = 0;                   ///< index of this row in `rows`
 
   /// Returns a recorded value [SI]: time and ring temperatures from the members above, all other
   /// values from `rows`. NaN if not recorded.

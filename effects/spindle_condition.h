@@ -15,12 +15,13 @@ struct SpindleCondition {
   double flange_conductance_factor = 1.0;
   /// Added heat at 10 000 rpm [W]. Motor and drive heat are proportional to powers of the speed,
   /// with the exponents below; the other sources are proportional to speed.
-  double motor_heat = 0.0;  ///< into housing and shaft between the sets
-  double drive_heat = 0.0;  ///< into the shaft behind the last bearing
+  double motor_heat = 0.0;  ///< heat into housing and shaft between the sets
+  double drive_heat = 0.0;  ///< heat into the shaft behind the last bearing
   /// Heat into the shaft at the nose, between the face of the housing and bearing 1.
   double seal_heat = 0.0;
-  double front_bearing_heat = 0.0;  ///< into the raceways of the front set
-  double rear_bearing_heat = 0.0;   ///< into the raceways of the rear set, or of rollers behind it
+  double front_bearing_heat = 0.0;  ///< heat into the raceways of the front set
+  double rear_bearing_heat = 0.0;   ///< heat into the raceways of the rear set, or of the rollers
+                                    ///< behind it
   /// Exponents of the speed for the added motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
   /// Conductance of a cooled sleeve that the model lacks, from the housing to the coolant inlet, or

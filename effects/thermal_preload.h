@@ -33,7 +33,8 @@ struct PreloadByOwnHeat {
 ///
 ///   F_a -> F_a + c P,   P = (M1 + M0) ω at the entered load
 ///
-/// In a rigid set, the load is proportional to the temperature difference. With springs, c = 0.
+/// In a rigid set, the load is proportional to the temperature difference. With a spring preload, c
+/// = 0.
 struct ThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =

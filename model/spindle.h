@@ -106,9 +106,9 @@ struct Seat {
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
-  /// Clamping forces of the inner rings with their spacers, and of the outer rings [N]. With a
-  /// force, the conductance of the side faces depends on the contact pressure. If the force is NaN,
-  /// the side faces have shoulder_conductance, and spacers have no contact resistance.
+  /// Clamping forces of the inner rings with their spacers, and of the outer rings [N]. If a force
+  /// is given, the conductance of the side faces depends on the contact pressure. If the force is
+  /// NaN, the side faces have shoulder_conductance, and spacers have no contact resistance.
   double inner_clamping_force = unset, outer_clamping_force = unset;
   /// Conductance from a side face of an outer ring to an adjacent collar of the shaft [W/(m² K)].
   /// The default assumes a contact as at a shoulder. An open air gap of 0.1 mm would conduct 270

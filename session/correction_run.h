@@ -49,8 +49,8 @@ struct LearningRun {
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs the corrections and learns from the readings. Throws text::InputError if the record is not
-/// suitable.
+/// Runs the corrections and adapts their zeros and gains to the readings. Throws text::InputError
+/// if the record is not suitable.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

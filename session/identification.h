@@ -44,8 +44,8 @@ struct Identified {
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 
-  /// Validates the models on another record. The errors on that record then determine the trust in
-  /// the models: see correction/trust.h.
+  /// Validates the models on another record. The errors on `other` then determine the trust in the
+  /// models: see correction/trust.h.
   void validate(Messages& messages, const Source& other, const Reading& reading);
   [[nodiscard]] std::string json() const;
   /// Returns the model file with the identified parameters. If a baseline was requested, the file
@@ -55,7 +55,8 @@ struct Identified {
 
 /// Identifies the structure and the parameters of all models. Warnings about sensors are also in
 /// the notes of the record. Throws text::InputError for an unknown input, missing readings, or a
-/// record that does not allow identification. Throws fit::Cancelled when the user cancels.
+/// record that does not allow identification. Throws fit::Cancelled if IdentifyChoices::cancelled
+/// returns true.
 [[nodiscard]] Identified identify(Messages& messages, SeriesQuestion asked,
                                   const IdentifyChoices& choices);
 

@@ -128,9 +128,9 @@ class LoopModel {
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
-  /// Returns the properties of a time record that matter for this correction: sampling, noise,
-  /// range of time constants, resolution, and warnings. The result is empty for models that are not
-  /// corrections.
+  /// Returns the properties of a time record that limit the quality of this correction: sampling,
+  /// noise, range of time constants, resolution, and warnings. The result is empty for models that
+  /// are not corrections.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 

@@ -40,8 +40,8 @@ void require_shaft(const files::ModelFile& file);
 /// torque, because the friction law does not use them.
 void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
-/// Reads measurements for a model. The speeds of a coast-down are converted to torques. Notes on
-/// the data appear as messages and in the notes of the record.
+/// Reads measurements for a model. For a coast-down, the friction torques are computed from the
+/// speeds. Notes on the data appear as messages and in the notes of the record.
 [[nodiscard]] record::Record open_data(Messages& messages, const Source& data,
                                        const model::ModelSubject& subject,
                                        const files::ReadOptions& options);

@@ -37,7 +37,7 @@ class ShaftCurve {
   [[nodiscard]] const std::vector<shaft::ShaftPrediction>& predictions() const {
     return predictions_;
   }
-  /// Returns the bearing sets as mounted, before rotation.
+  /// Returns the bearing sets as mounted, at standstill.
   [[nodiscard]] bearing::Arrangement mounted() const {
     return shaft::mounted_arrangement(file_->model);
   }

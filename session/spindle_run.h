@@ -39,7 +39,7 @@ struct SpindleRun {
   results::MeshEstimate mesh{};
   /// most influential assumed values of the model, at the steady state of the highest speed
   results::Assumptions assumptions{};
-  std::vector<spindle::FieldCell> field{};  ///< temperature field at the end
+  std::vector<spindle::FieldCell> field{};  ///< temperature of each cell at the end
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }

@@ -39,7 +39,7 @@ struct SteadyQuestion {
                                ///< positive radial force in front of the nose
   double belt_force = unset;   ///< pull of the belt [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
-  bool assumptions = false;    ///< true adds the most influential assumed values
+  bool assumptions = false;    ///< true adds the most influential assumed values to the results
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
@@ -53,7 +53,7 @@ struct SteadySpindle {
   results::Assumptions assumptions{};
   model::Findings findings{};
   spindle::State end{};  ///< steady state of the last speed; empty if it was not found
-  std::vector<spindle::FieldCell> field{};  ///< temperature field of the last speed, cell by cell
+  std::vector<spindle::FieldCell> field{};  ///< temperature of each cell at the last speed
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;

@@ -60,7 +60,7 @@ class CsvTable {
   std::string source;                 ///< file name, for messages
   std::vector<std::string> comments;  ///< all comment lines of the file, unchanged
   std::vector<std::string> header;
-  std::vector<std::string> units;  ///< from the row of units; empty without one
+  std::vector<std::string> units;  ///< cells of the row of units; empty without such a row
   int header_line = 0;             ///< counted from 1
   char separator = ',';
   bool byte_order_mark = false;

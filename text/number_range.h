@@ -14,7 +14,7 @@ struct NumberRange {
 inline constexpr NumberRange speed_range{0.0, 1e6, "rpm"};
 inline constexpr NumberRange load_range{0.0, 1e8, "N"};
 inline constexpr NumberRange power_range{0.0, 1e7, "W"};
-/// Range of axial loads on a shaft, which are positive towards the tool.
+/// Range of loads on a shaft, which can be negative.
 inline constexpr NumberRange signed_load_range{-1e8, 1e8, "N"};
 inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};
 inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};
