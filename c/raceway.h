@@ -13,8 +13,9 @@
 /// Threads:  several threads may call the functions at the same time, even with the same model,
 ///           because a model does not change. Call raceway_free() once for each model, after all
 ///           other calls with this model.
-/// Errors:   no function throws, prints or ends the program. If memory runs out, functions that
-///           compute return 1, and functions that create a model return NULL.
+/// Errors:   no function throws, prints or ends the program. If memory runs out, raceway_create()
+///           and raceway_create_from_file() return NULL, and the functions under "Returns" return
+///           1.
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 

@@ -29,9 +29,9 @@ class Band {
 
   /// Returns the names of the fitted parameters.
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
-  /// Returns the half width of each output in its unit; NaN if neither side has a prediction. The
-  /// operator calls `outputs` once for the model and at most twice for each parameter. Several
-  /// threads may call the operator simultaneously.
+  /// Returns the half width of each output in its unit; NaN if a parameter has no prediction on
+  /// either side. The operator calls `outputs` once for the model and at most twice for each
+  /// parameter. Several threads may call the operator simultaneously.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 
  private:

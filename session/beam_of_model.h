@@ -13,7 +13,7 @@ namespace raceway::session {
 /// Shaft of a spindle as an elastic beam on its bearings, for the analysis of deflection and modes.
 struct BeamOfModel {
   std::vector<double> places;         ///< distances of the set bearings behind the nose face [m]
-  std::vector<double> roller_places;  ///< the same for the roller bearings [m]
+  std::vector<double> roller_places;  ///< distances of the roller bearings behind the nose face [m]
   std::vector<std::string> roller_names;
   spindle::Beam beam;
   spindle::SetsOfSpindle sets;

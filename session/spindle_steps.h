@@ -75,7 +75,8 @@ struct SpindleSteps {
 
 /// Options for a correction made from step responses.
 struct StepCorrectionQuestion {
-  std::string law = "curve";                     ///< form of K and T: "curve", "power" or "line"
+  std::string law = "curve";                     ///< form of K(P) and T(P): "curve", "power" or
+                                                 ///< "line"
   std::string lags = "auto";                     ///< number of lags: "one", "two" or "auto"
   Wording wording = Wording::arguments;          ///< selects the argument names in notes
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
