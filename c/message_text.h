@@ -22,7 +22,7 @@ class MessageText : public session::Messages {
   std::string text_;
 };
 
-/// Text buffer of the caller. The buffer is empty until a text is stored.
+/// Text buffer that the caller provides. The constructor stores an empty text.
 class Reply {
  public:
   Reply(char* text, std::size_t size) noexcept;
@@ -34,8 +34,8 @@ class Reply {
   std::size_t size_;
 };
 
-/// Stores the message of the current exception in the reply, in the words of the command. Call this
-/// function only in a `catch` block.
+/// Stores the message of the current exception in the reply. Call this function only in a `catch`
+/// block.
 void explain(Reply& reply) noexcept;
 
 /// Returns the result of `work`. If `work` throws, returns `failed` and stores the message in the

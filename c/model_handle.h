@@ -9,8 +9,7 @@
 #include "files/model_file.h"
 #include "session/source.h"
 
-/// Object to which the pointer of the caller refers. The object never changes, so threads may share
-/// it.
+/// Model that raceway_create() returns. A model never changes, so several threads may use it.
 struct raceway_model {
   raceway::files::ModelFile file;
   std::string messages;
@@ -23,11 +22,11 @@ namespace raceway::c {
 /// caller owns the model.
 [[nodiscard]] raceway_model* open_handle(const session::Source& source);
 
-/// Returns the code of raceway.h (RACEWAY_...) for a status of the solver.
+/// Returns the RACEWAY_STATUS constant of raceway.h for a status of the solver.
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
-/// Returns the names of the columns with these indices. The result is empty for NULL and for a
-/// count of 0, which select all columns. Throws text::InputError for an index out of range.
+/// Returns the names of the columns with these indices. The result is empty if `columns` is NULL or
+/// `count` is 0; both select all columns. Throws text::InputError for an index out of range.
 [[nodiscard]] std::vector<std::string> column_names(const raceway_model& model, const int* columns,
                                                     std::size_t count);
 

@@ -48,11 +48,11 @@
 
 namespace raceway::effects {
 
-/// All effects. If an effect has two forms, both are in the list, one after the other. To add an
+/// List of all effects. The two forms of an effect, for rig and shaft, follow each other. To add an
 /// effect, write its file and add its name here; docs/design.md describes all steps. Corrections of
 /// data come first, because the physical effects use the corrected data. Effects on the lubricant
-/// act in the order of this list: first the film temperature, then the shares of the viscous
-/// moment.
+/// are applied in the order of this list: first the film temperature, then the factors on the
+/// viscous moment.
 using Catalogue = std::tuple<
     LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, LoadCalibration,
     LoadCellDrift, SetPreload, SupportBearings, TorqueCreep, SpeedHysteresis, PreloadCalibration,

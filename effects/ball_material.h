@@ -19,9 +19,10 @@ namespace raceway::effects {
 ///           changes centrifugal force and gyroscopic moment, and the modulus changes the contact
 ///           areas.
 ///
-/// In the sets of a shaft, the effect assumes that the bearings were mounted with the other balls.
-/// A preload entered as a force remains unchanged, because that force was set. A preload entered as
-/// an offset or a class keeps its gap, so stiffer balls increase the preload force.
+/// In the sets of a shaft, the effect assumes that the bearings were mounted with balls of the
+/// other material. A preload entered as a force remains unchanged, because that force was set. A
+/// preload entered as an offset or a class keeps its gap, so stiffer balls increase the preload
+/// force.
 struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "the ball material differs from the entered material";

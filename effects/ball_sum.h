@@ -36,7 +36,7 @@ struct RollingContact {
 ///
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
-/// A moment that resists rolling at a contact takes the power moment * ω_roll from the shaft.
+/// If a moment M resists rolling at a contact, the shaft supplies the power M ω_roll.
 /// Source: rotation of the ball relative to the race, about the contact tangent across the rolling
 ///         direction; ω_R, ω_m, β as in bearing/kinematics.h.
 template <typename Value>

@@ -18,8 +18,8 @@ namespace raceway::effects {
 ///           forces balance at y0 = 0.347 a. The friction power is then 0.1611 μ Q ω_roll a²/(2 R).
 ///           The usual estimate of the moment is about 0.1 μ Q a²/R.
 /// Domain:   converged equilibrium, else NaN.
-/// Accuracy: the law uses only slip along the rolling direction. Spin in the same contact makes the
-///           true moment smaller.
+/// Accuracy: the law uses only slip along the rolling direction. If the ball also spins in the
+///           contact, the true moment is smaller.
 struct DifferentialSlip {
   static constexpr std::string_view id = "differential-slip";
   static constexpr std::string_view title = "slip across the curved contact (Heathcote slip)";

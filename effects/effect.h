@@ -31,7 +31,7 @@ inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle}
 /// Returns the name in files: "rig", "shaft" or "spindle".
 [[nodiscard]] std::string_view name(Form form);
 
-/// Parameter of an effect, in the unit of the files. The effect converts the value to SI.
+/// Parameter of an effect, in the unit of the files.
 using Parameter = record::NumberCard;
 
 /// Data that the model and its record must have before an effect can be tested or fitted.
@@ -46,26 +46,26 @@ enum class Need {
   several_axial_loads,  ///< more than one axial load, even if other settings vary
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above
-  ball_load_law,  ///< the law contact or an effect that uses ball loads; other laws do not use them
-  palmgren_law,   ///< a law other than table and skf; the law skf already contains the effect
-  opposed_sets,   ///< bearings at both ends of the shaft
-  torque_standard,  ///< known torque that fixes the scale of the readings
-  cold_friction     ///< a spindle whose friction is computed with the forces of the cold sets
+  ball_load_law,        ///< a law or an effect that uses ball loads, such as the law contact
+  palmgren_law,         ///< a law other than table and skf; the law skf already contains the effect
+  opposed_sets,         ///< bearings at both ends of the shaft
+  torque_standard,      ///< known torque that fixes the scale of the readings
+  cold_friction         ///< a spindle whose friction is computed with the forces of the cold sets
 };
 
 /// Returns the missing data in words: "time_s of every row".
 [[nodiscard]] std::string_view text(Need need);
-/// Returns such a text for a channel that must have a number in every row: "preload_N of every
+/// Returns the requirement that a channel has a value in every row, in words: "preload_N of every
 /// row".
 [[nodiscard]] std::string text(const record::Channel& channel);
 
-/// Returns the supplies in words: "an oil jet or an oil bath". Any one of these supplies is
+/// Returns lubricant supplies in words: "an oil jet or an oil bath". Any one of these supplies is
 /// sufficient.
 [[nodiscard]] std::string text(std::span<const friction::Supply> supplies);
 
 /// Values recorded with a row in addition to its operating point; NaN if not recorded.
 struct Record {
-  double time = unset;                    ///< time in the file [s]
+  double time = unset;                    ///< time of the row in its file [s]
   double inner_ring_temperature = unset;  ///< [K]
   double outer_ring_temperature = unset;  ///< [K]
   int run = -1;
@@ -73,7 +73,7 @@ struct Record {
   double since_start = unset;
   double direction = unset;  ///< 1 if the speed was reached from below, -1 if from above
   const record::Record* rows = nullptr;  ///< all recorded rows; null if not known
-  std::size_t row = 0;                   ///< index of this row
+  std::size_t row = 0;                   ///< index of this row in `rows`
 
   /// Returns a recorded value [SI]: time and ring temperatures from the members above, all other
   /// values from `rows`. NaN if not recorded.
@@ -96,7 +96,7 @@ struct BaseLaw {
   }
 };
 
-/// Entered or measured values [SI], before any other effect acts on them.
+/// Entered or measured values [SI], before any other effect changes them.
 struct Entry {
   double viscosity_40C, viscosity_100C;  ///< viscosities of the oil
   double temperature;                    ///< temperature of the row
@@ -106,8 +106,8 @@ struct Entry {
 
 /// Inputs of an effect on the condition of the bearing.
 struct ConditionInputs {
-  const bearing::Bearing& bearing;       ///< as entered
-  const bearing::OperatingPoint& point;  ///< as entered
+  const bearing::Bearing& bearing;       ///< bearing without effects
+  const bearing::OperatingPoint& point;  ///< operating point without effects
   const Record& record;
   double power;  ///< friction power of the base law at the entered load [W]; see
                  ///< Requirements::uses_power
@@ -116,7 +116,7 @@ struct ConditionInputs {
 /// Difference between the true and the entered condition of the bearing. The changes of several
 /// effects add up.
 struct Condition {
-  double extra_axial_load = 0.0;  ///< in the direction of the entered axial load [N]
+  double extra_axial_load = 0.0;  ///< added load in the direction of the entered axial load [N]
   double radial_growth = 0.0;     ///< growth of the inner raceway relative to the outer one [m]
   double tilt = 0.0;              ///< tilt of the inner ring about z, imposed by the shaft [rad]
   double other_balls = 0.0;  ///< 0: entered ball material; 1: the other material (steel or silicon
@@ -133,7 +133,7 @@ struct Condition {
 /// Inputs of an effect on the lubricant.
 struct LubricantInputs {
   const friction::Lubricant& lubricant;
-  /// State with the viscosity at the temperature of the row.
+  /// Bearing state with the oil viscosity at the temperature of the row.
   const friction::BearingState<double>& state;
   const BaseLaw& base;
 };
@@ -142,23 +142,23 @@ struct LubricantInputs {
 struct Film {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double temperature = unset;          ///< [K]
-  double viscous_share = 1.0;          ///< remaining share of the viscous moment [1]
+  double viscous_share = 1.0;          ///< factor on the viscous moment [1]
 };
 
-/// Linear approximation of the whole contact moment as a function of temperature, with ν(T) of the
-/// oil:
+/// Linear approximation of the friction moment of the contact law as a function of temperature,
+/// with the viscosity ν(T) of the oil:
 ///
 ///   M(T) = moment + slope (T - temperature),   |T - temperature| <= reach
 struct MomentTangent {
   double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
 };
 
-/// Returns a stored tangent at or near a temperature.
+/// Function that returns a stored tangent at or near a temperature [K].
 using TangentAbout = std::function<MomentTangent(double temperature)>;
 
-/// Inputs of an added moment.
+/// Inputs of an effect that adds a friction moment.
 struct MomentInputs {
-  /// State with the true loads and the viscosity of the film.
+  /// Bearing state with the loads and the film viscosity that other effects have changed.
   const friction::BearingState<double>& state;
   friction::BaseMoments<double> base;  ///< moments of the base law in `state` [N m]
   const Record& record;
@@ -167,12 +167,12 @@ struct MomentInputs {
 /// Inputs of an effect on the reading of a measured channel.
 struct ReadingInputs {
   double value;                          ///< predicted value of the measured channel [SI]
-  const bearing::OperatingPoint& point;  ///< with the external axial load on a shaft
+  const bearing::OperatingPoint& point;  ///< on a shaft with the external axial load
   const Record& record;
 };
 
-/// Pitch diameter for which the plausible ranges of effects are given. For other bearings, a range
-/// is multiplied by a power of d_m over this diameter (Nature::size_power).
+/// Pitch diameter for which the plausible ranges of effects are given. For a bearing of pitch
+/// diameter d_m, a range is multiplied by (d_m/60 mm)^p, where p is Nature::size_power.
 inline constexpr double size_of_ranges = 60 * mm;
 
 /// Description of an effect in words.
@@ -196,7 +196,7 @@ struct Requirements {
   std::span<const Need> needs = {};
   /// Channels that must have a number in every row, in addition to `needs`.
   std::span<const record::Channel* const> channels = {};
-  /// Lubricant supplies with which the effect can act; empty if it can act with all of them.
+  /// Lubricant supplies with which the effect can occur; empty if it can occur with all supplies.
   std::span<const friction::Supply> supplies = {};
   bool needs_equilibrium = false;  ///< true: the effect uses ball loads or contact angles
   bool uses_power = false;         ///< true: the effect uses ConditionInputs::power
@@ -207,13 +207,13 @@ struct Requirements {
   bool for_shaft = true;    ///< true: allowed in a model of a shaft
   bool for_spindle = true;  ///< true: allowed in a model of a spindle
 
-  /// Returns true if the effect can act with this supply. An unknown supply counts as suitable.
+  /// Returns true if the effect can occur with this lubricant supply, or if the supply is unknown.
   [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
   /// Returns true if the effect is allowed in models of this form.
   [[nodiscard]] constexpr bool belongs_to(Form form) const {
     return form == Form::rig ? for_rig : form == Form::shaft ? for_shaft : for_spindle;
   }
-  /// Returns true if the effect acts only in spindles.
+  /// Returns true if the effect is allowed only in models of a spindle.
   [[nodiscard]] constexpr bool of_spindles_alone() const {
     return for_spindle && !for_rig && !for_shaft;
   }
@@ -227,49 +227,52 @@ struct Exclusions {
   /// True: the contact law contains the effect if oil_fraction > 0.
   bool within_oil_fraction = false;
   /// True: the effect changes the viscous moment. Such an effect is not allowed with the law
-  /// `table`, because a friction table need not separate the viscous moment from the rest. Effects
-  /// on the lubricant and corrections of the base law are never allowed with this law and need no
-  /// flag.
+  /// `table`, because a friction table may contain only the total moment. Effects on the lubricant
+  /// and corrections of the base law are never allowed with this law and need no flag.
   bool of_viscous_moment = false;
   /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
-  /// that use ball loads may leave this text empty: rollers never have such effects.
+  /// that use ball loads need no text: they are never allowed for rollers.
   std::string_view not_for_rollers = {};
 };
 
 /// Properties of an effect that determine its weight in a verdict and the wording of the verdict.
 struct Nature {
   /// True if all rotating parts contribute to the effect. In a coast-down, the effect is then the
-  /// drag of all these parts and counts once, not once per bearing. The plausible range is for the
-  /// bearing only.
+  /// drag of all these parts and is added once, not once per bearing. The plausible range is for
+  /// the bearing only.
   bool drags_on_the_rotor = false;
   /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
-  /// is for 60 mm. With an exponent of 0, the range is the same for bearings of all sizes.
+  /// is for a pitch diameter of 60 mm. With an exponent of 0, the range is the same for bearings of
+  /// all sizes.
   double size_power = 0.0;
   /// True if the effect increases and decreases as the machine warms up and cools down. The
-  /// dependence on temperature, or the lag, separates such an effect from other effects.
+  /// dependence on temperature, or the lag, distinguishes such an effect from other effects.
   bool follows_heat = false;
   bool base_law = false;   ///< true: corrects an exponent of the base law
   bool empirical = false;  ///< true: a shape without a physical law
   bool spin = false;       ///< true: the moment comes from contacts in which the balls spin
-  /// True if the effect changes the condition of the bearings but does not move the sets.
+  /// True if the effect changes the condition of the bearings but not the axial position of the
+  /// shaft.
   bool friction_alone = false;
   bool as_mounted = false;      ///< true: changes the sets as mounted, before they turn
-  bool of_each_record = false;  ///< true: may differ between several records
+  bool of_each_record = false;  ///< true: its size may differ between records
 };
 
-/// Functions with which an effect acts at the steps of a prediction. Null if the effect does not
-/// act at a step. `values` are in the order of the parameters.
+/// Functions of an effect, for the steps of a prediction. A function is null if the effect does not
+/// change this step. `values` are the parameter values in the order of the parameters.
 struct Actions {
   /// Corrects entered or measured values.
   void (*entry)(Entry&, std::span<const double> values) = nullptr;
-  /// Describes the wrong datum at these values; null if `entry` is enough.
+  /// Describes the wrong datum in words; null if the changes by `entry` describe it.
   std::string (*correction)(std::span<const double> values) = nullptr;
-  /// Adds to the load and condition of the bearing.
+  /// Adds changes to the condition of the bearing: load, tilt, ring growth, ball material,
+  /// mounting, preload.
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
-  /// Changes viscosity or viscous share. Several effects act in the order of the catalogue.
+  /// Changes the film viscosity or the factor on the viscous moment. Several effects are applied in
+  /// the order of the catalogue.
   void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
-  /// Does the same as `lubricant` by Newton's method from `temperature`, if the tangents of the
-  /// contact moment are known. Returns false if the method finds no solution.
+  /// Computes the same film as `lubricant`, by Newton's method from `temperature`, if tangents of
+  /// the contact moment are known. Returns false if the method finds no solution.
   bool (*lubricant_by_tangents)(const LubricantInputs&, std::span<const double> values,
                                 double temperature, const TangentAbout&, Film&) = nullptr;
   /// Added friction moment of one bearing [N m].
@@ -277,7 +280,7 @@ struct Actions {
   /// Friction moment per unit of the parameter. `unit_moment` replaces `moment` if the moment is
   /// proportional to a single parameter [N m per unit].
   double (*unit_moment)(const MomentInputs&) = nullptr;
-  const OwnMoment* user_made = nullptr;  ///< the moment of a user-made effect
+  const OwnMoment* user_made = nullptr;  ///< moment of a user-defined effect
   /// Value that is added to the reading of `channel` [SI].
   double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
   /// Channel of `reading`; null if the effect changes no reading.
@@ -290,18 +293,18 @@ struct Actions {
   [[nodiscard]] constexpr bool reads(const record::Channel& measured) const {
     return reading && *channel == measured;
   }
-  /// Returns the first step at which the effect acts: "entry", "condition", "lubricant", "moment",
+  /// Returns the first step that the effect changes: "entry", "condition", "lubricant", "moment",
   /// "reading" or "spindle".
   [[nodiscard]] std::string_view step() const;
 };
 
 /// Entry of one physical effect in the catalogue. Each effect is a struct in its own file (see
-/// spin_friction.h). A Description is the type-erased form of such a struct, chosen by name at run
-/// time.
+/// spin_friction.h). A Description has the members of such a struct; the program finds it by its
+/// id.
 ///
-/// An effect that acts differently in the sets of a shaft and in a bearing on a rig has two
-/// descriptions with the same id and separate parameters. The model decides which one applies. The
-/// sets of a spindle have the effects in the form for a shaft, except effects that the computed
+/// An effect with different laws for the sets of a shaft and for a bearing on a rig has two
+/// descriptions with the same id and separate parameters. The kind of model selects the
+/// description. A spindle uses the descriptions for a shaft, except effects that the computed
 /// temperatures already include.
 struct Description : Card, Requirements, Exclusions, Nature, Actions {
   std::span<const Parameter> parameters = {};
@@ -321,13 +324,13 @@ struct Description : Card, Requirements, Exclusions, Nature, Actions {
 struct Effect {
   const Description* description = nullptr;
   std::vector<double> values;
-  std::shared_ptr<const void> owner = nullptr;  ///< keeps a user-made description alive
+  std::shared_ptr<const void> owner = nullptr;  ///< keeps a user-defined description alive
 
   /// Returns the added moment [N m]; 0 if the effect adds no moment.
   [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
 
-/// Returns the changes that these effects cause in a spindle. Effects without a spindle step are
+/// Returns the changes that these effects cause in a spindle. Effects without Actions::spindle are
 /// ignored.
 [[nodiscard]] SpindleCondition spindle_condition(std::span<const Effect> effects);
 

@@ -17,7 +17,7 @@ using friction::contact::hysteresis_moment;
 ///
 /// Source:   ω_roll/ω from the balance of power, derived.
 /// Domain:   converged equilibrium, else NaN. The outer contacts also carry the centrifugal force.
-///           Only this force separates the effect from the load moment of the base law.
+///           Only this force distinguishes the effect from the load moment of the base law.
 struct ElasticHysteresis {
   static constexpr std::string_view id = "elastic-hysteresis";
   static constexpr std::string_view title = "hysteresis of the rolling contacts";

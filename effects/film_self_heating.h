@@ -18,8 +18,8 @@ namespace raceway::effects {
 /// there is one solution, between T and T + R P(T). If P rises with temperature because of
 /// asperities, the lowest solution is above T + R P(T).
 /// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
-/// Domain:   speed >= 0, R >= 0. A temperature sensor far from the film has the same signature, and
-///           the data cannot separate the two.
+/// Domain:   speed >= 0, R >= 0. The data cannot distinguish self-heating from a temperature sensor
+///           far from the film.
 struct FilmSelfHeating {
   static constexpr std::string_view id = "film-self-heating";
   static constexpr std::string_view title = "oil film hotter than the temperature sensor";

@@ -13,7 +13,7 @@ namespace raceway::effects {
 
 using record::FormulaError;
 
-/// A user-made friction moment. Several threads may call the moment at the same time.
+/// A user-defined friction moment. Several threads may call moment() at the same time.
 class OwnMoment {
  public:
   virtual ~OwnMoment() = default;
@@ -25,8 +25,8 @@ class OwnMoment {
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 
-/// A user-made friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2" in
-/// N mm. The formula may use the names in variables() and the parameters of the effect, with the
+/// A user-defined friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2"
+/// in N mm. The formula may use the names in variables() and the parameters of the effect, with the
 /// operators and functions of muParser. Several threads may evaluate the formula at the same time.
 class Formula : public OwnMoment {
  public:
@@ -39,14 +39,15 @@ class Formula : public OwnMoment {
   /// Returns true if a zero value of this parameter makes the moment zero everywhere, and another
   /// value does not.
   [[nodiscard]] bool is_size(std::size_t parameter, std::span<const double> values) const;
-  /// Returns true if the formula uses that variable.
+  /// Returns true if the formula contains the variable.
   [[nodiscard]] bool uses(std::string_view variable) const;
 
   struct Variable {
     std::string_view name;
     std::string_view meaning;
     double (*computed)(const MomentInputs&) = nullptr;
-    /// Channel of the row, in its own unit; null for a variable of the state.
+    /// Recorded channel that gives the value, in the unit of the channel; null for a variable of
+    /// the bearing state.
     const record::Channel* channel = nullptr;
     [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
@@ -58,7 +59,7 @@ class Formula : public OwnMoment {
   record::Expression expression_;
 };
 
-/// User-made effect in a model file.
+/// User-defined effect in a model file.
 struct UserMadeEffect {
   struct Number {
     std::string name, unit;
@@ -71,10 +72,11 @@ struct UserMadeEffect {
   std::vector<Number> parameters;
 };
 
-/// Makes an effect that works like an effect of the catalogue. Throws FormulaError.
+/// Creates an effect that can be used like an effect of the catalogue. Throws FormulaError for an
+/// invalid formula.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given);
-/// Makes an effect from a moment that is not a formula. `torque_Nmm` describes the moment in words.
-/// To switch the effect off, the first parameter whose bounds include zero is set to zero.
+/// Creates an effect from a moment that is not a formula. `torque_Nmm` describes the moment in
+/// words. To switch the effect off, the first parameter whose bounds include zero is set to zero.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment);
 
 }  // namespace raceway::effects

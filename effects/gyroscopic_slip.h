@@ -13,13 +13,12 @@ namespace raceway::effects {
 ///
 /// The effect is a candidate for a misfit that grows with the square of speed. The moment of the
 /// effect also grows with load, through the contact angle at the outer race. The moment is not the
-/// friction of gyroscopic sliding: M_g acts about an axis across the shaft, so the sum of these
-/// moments does not brake the shaft. Sliding dissipates the power Σ M_f ω_slip, which is a moment M
-/// = Σ M_f ω_slip/ω on the shaft. Sliding begins only above the friction limit, M_g > about μ Q
-/// D/2. This effect has no threshold and no slip speed, and c is not a friction coefficient. The
-/// proportionality of M and M_g is an assumption.
+/// friction of gyroscopic sliding: the axis of M_g is perpendicular to the shaft, so these moments
+/// do not brake the shaft. Sliding dissipates the power Σ M_f ω_slip, which is a moment M = Σ M_f
+/// ω_slip/ω on the shaft. Sliding begins only above the friction limit, M_g > about μ Q D/2. This
+/// effect has no threshold and no slip speed, and c is not a friction coefficient.
 ///
-/// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; the rest is empirical.
+/// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; M = c Σ M_g is empirical.
 /// Domain:   converged equilibrium, else NaN; zero at standstill.
 struct GyroscopicSlip {
   static constexpr std::string_view id = "gyroscopic-slip";

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Share of the viscous moment that remains under inlet shear heating [1].
+/// Factor on the viscous moment that describes inlet shear heating [1].
 ///
 ///   1 / (1 + c 1.84e-9 (n d_m)^1.28 ν^0.64)      n [rpm], d_m [mm], ν [mm²/s]
 ///

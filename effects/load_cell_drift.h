@@ -19,7 +19,8 @@ namespace raceway::effects {
 ///           side, or the expansion of the housing against the loading device, causes ten times
 ///           this drift.
 /// Domain:   loads not below zero. T is the temperature of the row (temperature_C); the temperature
-///           of the cell may differ. The choice of 20 °C changes only z.
+///           of the cell may differ. Another reference temperature than 20 °C would change only the
+///           fitted z.
 struct LoadCellDrift {
   static constexpr std::string_view id = "load-cell-drift";
   static constexpr Form form = Form::rig;

@@ -8,11 +8,12 @@
 
 namespace raceway::effects {
 
-/// Axial load in addition to the entered one [N].
+/// Axial load in addition to the entered axial load [N].
 ///
 ///   F_a -> F_a + c
 ///
-/// Source:   definition. Possible causes: a spring set, a zero error of the load cell, a belt.
+/// Source:   definition. Possible causes: a preload spring, a zero error of the load cell, the pull
+///           of a belt.
 /// Domain:   F_a + c is not below zero.
 struct LoadOffset {
   static constexpr std::string_view id = "load-offset";

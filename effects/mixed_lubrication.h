@@ -17,7 +17,7 @@ namespace raceway::effects {
 /// converts these units. μ is the coefficient of boundary friction minus the coefficient of the
 /// full film, 0.05 to 0.12. d_m is the mean of bore and outer diameter.
 /// Source:   φ_bl, S1 = 1.30e-2 and S2 = 0.68 of the sliding moment in [SKFGeneral, p. 91-101].
-///           S1 and S2 are for bearings of 40 deg, see friction/skf.h.
+///           S1 and S2 are for a contact angle of 40 deg, see friction/skf.h.
 /// Domain:   speed >= 0; φ_bl is 1 at standstill and 0 with a full film.
 struct MixedLubrication {
   static constexpr std::string_view id = "mixed-lubrication";

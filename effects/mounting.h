@@ -14,17 +14,17 @@ namespace raceway::effects {
 ///   s (F_r - F_0) = h K_r (d (x - e) - (δ_r - δ_r0))      seat of the rear set
 ///   s = (1 - c) s_entered + c s_other,   h = (1 - c) h_entered + c h_other
 ///
-/// F_r, F_0, d, x, e and δ_r are defined at bearing::Arrangement, where c_series is called c. K_r
-/// is the stiffness of the rear set as mounted. The softness s and the hardness h of the seat (see
-/// Arrangement::Seat) are (K_r c_series, 1) for a rigid set and (1, 0) for a spring of constant
-/// force. In a rigid set, c is the share by which a spring in series reduces the variation of the
-/// preload, because rear set and seat together have the stiffness (1 - c) K_r. c = 0 is the set as
-/// entered, and c = 1 is a constant force. The mounted preload force always remains the value of
-/// the model.
+/// F_r, F_0, d, x, e, δ_r and c_series are defined at bearing::Arrangement, which writes c for
+/// c_series. K_r is the stiffness of the rear set as mounted. The softness s and the hardness h of
+/// the seat (see Arrangement::Seat) are (K_r c_series, 1) for a rigid set and (1, 0) for a spring
+/// of constant force. In a rigid set, c is the share by which a spring in series reduces the
+/// variation of the preload, because rear set and seat together have the stiffness (1 - c) K_r. c =
+/// 0 is the set as entered, and c = 1 is a constant force. The mounted preload force always remains
+/// the value of the model.
 ///
 /// Source:   springs in series, derived.
 /// Domain:   0 <= c <= 1, sets at both ends. Values between 0 and 1 describe flexible housings and
-///           springs with a stiffness. 1 means that the wrong mounting was entered.
+///           springs with a stiffness. c = 1 means that the wrong mounting was entered.
 struct OtherMounting {
   static constexpr std::string_view id = "mounting";
   static constexpr Form form = Form::shaft;

@@ -11,7 +11,7 @@
 
 namespace raceway::effects {
 
-/// Preload force that differs from the entered or recorded one.
+/// Preload force that differs from the entered or recorded preload force.
 ///
 ///   P -> k P
 ///

@@ -13,7 +13,7 @@ namespace raceway::effects {
 ///   P = (1 - s) P(cold) + s P(warm)
 ///
 /// P is the friction power of a bearing. A share s of P is calculated with the forces of the warm
-/// sets, and the rest with the forces of the cold sets.
+/// sets, and the share 1 - s with the forces of the cold sets.
 /// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the interpolation by s
 ///           is derived.
 /// Domain:   0 <= s <= 1, for a model with preload_feedback = false. With s = 1, the friction

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Share of the viscous moment that remains under replenishment starvation [1].
+/// Factor on the viscous moment that describes replenishment starvation [1].
 ///
 ///   exp(-K ν n (d + D) sqrt(K_Z / (2 (D - d))))      ν [mm²/s], n [rpm], d and D [mm], K_Z = 4.4
 ///

@@ -14,8 +14,8 @@ namespace raceway::effects {
 ///
 /// Source:   shear of a film of constant height, η ω A r²/h, derived. The viscosity is assumed
 ///           constant, because the support does not have the temperature of the bearing.
-/// Domain:   every speed. A tare run without the bearing separates this drag from the bearing
-///           friction.
+/// Domain:   every speed. A measurement without the bearing distinguishes this drag from the
+///           bearing friction.
 struct RigViscousDrag {
   static constexpr std::string_view id = "rig-viscous-drag";
   static constexpr std::string_view title = "viscous drag of the support of the rig";

@@ -14,9 +14,9 @@ namespace raceway::effects {
 ///   M = K (1 - s (T - 45 °C)),  not below zero
 ///
 /// K is the moment at 45 °C, and s its relative decrease per kelvin.
-/// Source:   independent of speed and load, like the seal moment of [SKFGeneral, p. 91-101]. The
-///           linear decrease with temperature is an assumption. The decrease represents softer
-///           rubber and thinner grease.
+/// Source:   the moment is independent of speed and load, like the seal moment of [SKFGeneral, p.
+///           91-101]. The linear decrease with temperature is an assumption. The decrease
+///           represents softer rubber and thinner grease.
 /// Domain:   every speed. With s = 0, the data cannot separate this effect from a torque offset.
 struct SealFriction {
   static constexpr std::string_view id = "seal-friction";

@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of a sensor fault on one channel. The laws are the same for every
+/// Texts and size parameter of a sensor fault on one channel. The laws are the same for every
 /// channel and are defined in sensor_offset.h, sensor_gain.h and sensor_drift.h.
 template <std::size_t confused>
 struct SensorCard {
@@ -22,7 +22,7 @@ struct SensorCard {
   std::string_view settled_by = {};
 };
 
-/// Members of an effect that come from its sensor card.
+/// Members of an effect that are copied from its sensor card.
 template <const auto& card>
 struct SensorFault {
   static constexpr const record::Channel& channel = card.channel;

@@ -37,8 +37,8 @@ struct SensorTemperatureDrift : SensorFault<card> {
 ///
 ///   x_read = x + c t/1 h
 ///
-/// Source:   definition. If the points are measured in random order, the data can separate the
-///           drift from speed and load.
+/// Source:   definition. If the points are measured in random order, the data can distinguish the
+///           drift from the influence of speed and load.
 /// Domain:   needs the time of each row in the file.
 template <const auto& card>
 struct SensorTimeDrift : SensorFault<card> {
@@ -88,8 +88,8 @@ inline constexpr SensorCard<1> torque_time_drift{
     .settled_by = "a repetition of the first points at the end"};
 
 /// Data sheets of eddy-current transducers give a drift of 0.02 to 0.05 % of full scale per kelvin,
-/// or 2 to 5 um per 10 K for a range of 1 mm. Ring temperatures act through the equilibrium of the
-/// sets, not through this effect.
+/// or 2 to 5 um per 10 K for a range of 1 mm. The displacement caused by ring temperatures is part
+/// of the equilibrium of the sets, not of this effect.
 inline constexpr SensorCard<3> displacement_temperature_drift{
     .channel = record::axial_displacement,
     .id = "displacement-temperature-drift",

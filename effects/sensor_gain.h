@@ -9,9 +9,9 @@ namespace raceway::effects {
 
 /// Gain error of a sensor [SI unit of its channel].
 ///
-///   x_read = (1 + g) x        x counts from the zero of the unit of the channel
+///   x_read = (1 + g) x        x is measured from the zero of the channel's unit
 ///
-/// Source:   definition. `standard` is the datum that fixes the scale of the channel.
+/// Source:   definition. `standard` is the known quantity that fixes the scale of the channel.
 /// Domain:   every reading.
 template <const auto& card, Need standard>
 struct SensorGain : SensorFault<card> {

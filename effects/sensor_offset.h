@@ -22,8 +22,8 @@ struct SensorOffset : SensorFault<card> {
   }
 };
 
-/// The offset acts like seal-friction with slope zero. Measurements in both directions of rotation
-/// separate the two.
+/// The offset equals seal-friction with slope zero, but it does not change sign with the direction
+/// of rotation.
 inline constexpr SensorCard<3> torque_offset{
     .channel = record::friction_torque,
     .id = "torque-offset",

@@ -13,23 +13,24 @@
 
 namespace raceway::effects {
 
-/// Preload of two bearings that share the entered load [N].
+/// Axial load of two preloaded bearings under the entered external load [N].
 ///
 ///   F1 = F2 + F_a,   F2 = P (u - 1)(u - 2)/2 - F_rigid(0) u (u - 2) + F_rigid(n) u (u - 1)/2
 ///   F_a -> (F1^(4/3) + F2^(4/3))^(3/4)
 ///
-/// F_rigid is the thrust on the relieved bearing of a rigid pair: the external load acts against
-/// its preload (bearing/rigid_preload.h). The mounting u interpolates smoothly between three
+/// F_rigid is the axial force on the relieved bearing of a rigid pair, whose preload the external
+/// load reduces (bearing/rigid_preload.h). The mounting u interpolates smoothly between three
 /// states. u = 0 is a soft spring on the second bearing. u = 1 is a rigid pair with constant
 /// preload. u = 2 is a rigid pair whose preload grows with speed.
 ///
 /// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The
 ///           exponent 4/3 comes from Palmgren's load moment with y = 1/3.
-/// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure thrust.
+/// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure axial load.
 /// Accuracy: exact for the sum of both load moments with y = 1/3. For other laws and for effects
 ///           that use ball loads, the load is an average over both bearings.
-/// Trap:     the load gives the sum of the moments of both bearings, and a rig with two bearings
-///           counts this sum twice. The fitted z is therefore half of the z of one bearing.
+/// Trap:     with this load, the law gives the sum of the moments of both bearings. For a rig with
+///           two bearings, the program adds this sum twice. The fitted z is therefore half of the z
+///           of one bearing.
 struct SetPreload {
   static constexpr std::string_view id = "set-preload";
   static constexpr Form form = Form::rig;

@@ -13,16 +13,17 @@ namespace raceway::effects {
 ///
 ///   u_read = u - c (n/10 000 rpm)²,   c = L ν ρ ω² (a² + b²)/(2 E) at 10 000 rpm
 ///
-/// L is the length of this part, and a and b are its inner and outer radius. The tool side moves
-/// back, against positive u.
+/// L is the length of the shaft between these two points, and a and b are its inner and outer
+/// radius. The tool side moves back, against positive u.
 ///
 /// Source:   derived without the stress field. The radial equilibrium is
 ///           d(r² σ_r)/dr = r (σ_r + σ_θ) - ρ ω² r³. With no pressure at the radii a and b, its
 ///           integral gives ρ ω² (a² + b²)/2 as the mean of σ_r + σ_θ over the section. Without
 ///           axial force, the mean axial strain is -ν/E times this mean. Example: steel, a = 15 mm,
 ///           b = 35 mm, 10 000 rpm: 9 um per metre.
-/// Domain:   every speed, no lag. The shaft between the sets shortens by the same strain and loads
-///           the sets like a colder shaft. The model neglects this, because it has no shaft radii.
+/// Domain:   every speed, no lag. The shaft between the sets shortens by the same strain and
+///           changes the load of the sets as a colder shaft would. The model neglects this load,
+///           because it has no shaft radii.
 struct ShaftContraction {
   static constexpr std::string_view id = "shaft-contraction";
   static constexpr std::string_view title = "shortening of the shaft with speed";

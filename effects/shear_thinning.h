@@ -9,14 +9,14 @@
 
 namespace raceway::effects {
 
-/// Share of the viscous moment that remains with a shear-thinning lubricant [1].
+/// Factor on the viscous moment for a shear-thinning lubricant [1].
 ///
 ///   (1 + (n/n_c)²)^-p
 ///
 /// n_c is the speed at which the thinning begins.
 /// Source:   the Carreau law for viscosity as a function of shear rate, with a shear rate
-///           proportional to speed. p combines two exponents: it is (1 - m)/2 times the exponent of
-///           the viscosity in the moment. Flow exponents m of 0.6 to 0.9 give p up to about 0.15.
+///           proportional to speed. p is (1 - m)/2 times the exponent of the viscosity in the
+///           viscous moment. Flow exponents m of 0.6 to 0.9 give p up to about 0.15.
 /// Domain:   speed >= 0, n_c > 0.
 struct ShearThinning {
   static constexpr std::string_view id = "shear-thinning";

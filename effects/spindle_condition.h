@@ -13,26 +13,27 @@ struct SpindleCondition {
   double bearing_conductance_factor = 1.0;
   /// Factor on the conductance from the flange into the machine [1].
   double flange_conductance_factor = 1.0;
-  /// Added heat at 10 000 rpm [W]. Motor and drive heat grow with the exponents below; the other
-  /// sources are proportional to speed.
-  double motor_heat = 0.0;  ///< into housing and shaft between the sets
-  double drive_heat = 0.0;  ///< into the shaft behind the last bearing
+  /// Added heat at 10 000 rpm [W]. Motor and drive heat are proportional to powers of the speed,
+  /// with the exponents below; the other sources are proportional to speed.
+  double motor_heat = 0.0;  ///< heat into housing and shaft between the sets
+  double drive_heat = 0.0;  ///< heat into the shaft behind the last bearing
   /// Heat into the shaft at the nose, between the face of the housing and bearing 1.
   double seal_heat = 0.0;
-  double front_bearing_heat = 0.0;  ///< into the raceways of the front set
-  double rear_bearing_heat = 0.0;   ///< into the raceways of the rear set, or of rollers behind it
+  double front_bearing_heat = 0.0;  ///< heat into the raceways of the front set
+  double rear_bearing_heat = 0.0;   ///< heat into the raceways of the rear set, or of the rollers
+                                    ///< behind it
   /// Exponents of the speed for the added motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
   /// Conductance of a cooled sleeve that the model lacks, from the housing to the coolant inlet, or
   /// to the ambient without coolant [W/K].
   double sleeve_conductance = 0.0;
-  /// Extent of that sleeve [1]. With 0, the sleeve lies only between the sets. With 1, the sleeve
-  /// reaches over the bearings up to the outermost bearing faces.
+  /// Extent of the cooled sleeve [1]. With 0, the sleeve lies only between the sets. With 1, the
+  /// sleeve reaches over the bearings up to the outermost bearing faces.
   double sleeve_reach = 1.0;
   /// Temperature rise of the machine at the flange [K], and its time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;
-  /// Preload that determines the friction [1]: 0 for the preload selected in the model (cold or
-  /// warm), 1 for the other preload.
+  /// Preload that determines the friction [1]: 0: preload selected in the model (cold or warm); 1:
+  /// the other of these two preloads.
   double other_preload_feedback = 0.0;
   [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
 };

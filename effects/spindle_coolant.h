@@ -18,8 +18,8 @@ namespace raceway::effects {
 ///
 /// Source:   definition, convection to a fluid of uniform temperature. 2 l/min of water carry
 ///           140 W/K.
-/// Domain:   G >= 0. The effect also acts when the pump is off. A record of the pump state
-///           separates this effect from other effects.
+/// Domain:   G >= 0. The effect also cools when the pump is off. A record of the pump state
+///           distinguishes this effect from other effects.
 struct SleeveCoolant {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "coolant";

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of the error of an entered spindle conductance.
+/// Texts and size parameter of an error in an entered spindle conductance.
 template <std::size_t confused>
 struct SpindleFactorCard {
   double SpindleCondition::*factor;  ///< factor that the effect changes
@@ -44,7 +44,8 @@ struct SpindleFactor {
   }
 };
 
-/// Hot outer rings reduce the preload. Sensors in the housing hardly show the hot rings.
+/// A low seat conductance heats the outer rings, which reduces the preload. Sensors in the housing
+/// hardly show this heating.
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
@@ -87,7 +88,7 @@ inline constexpr SpindleFactorCard<4> convection_factor{
              .neutral = 1.0}};
 
 /// Oil film, lubricant and rolling balls conduct several times more heat than dry contacts; the
-/// factor is unknown.
+/// exact ratio is unknown.
 inline constexpr SpindleFactorCard<4> bearing_conductance{
     .factor = &SpindleCondition::bearing_conductance_factor,
     .id = "bearing-conductance",

@@ -9,7 +9,7 @@
 
 namespace raceway::effects {
 
-/// Names and possible size of a heat source that the model lacks.
+/// Texts and size parameter of a heat source that the model lacks.
 template <std::size_t confused>
 struct SpindleHeatCard {
   double SpindleCondition::*heat;  ///< heat that the effect adds
@@ -23,7 +23,8 @@ struct SpindleHeatCard {
 ///   q = W n/10 000 rpm
 ///
 /// W is the heat at 10 000 rpm.
-/// Source:   a constant moment. Losses in a rotor and in air grow with a higher power of the speed.
+/// Source:   assumes a constant loss moment. Losses in a rotor and in air grow with a higher power
+///           of the speed.
 /// Domain:   speed >= 0, zero at standstill. The heat is added to the heat sources of the model.
 template <const auto& card>
 struct SpindleHeat {
@@ -111,7 +112,8 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
              .plausible_lower = 10.0,
              .plausible_upper = 1000.0}};
 
-/// Heats the roller bearing behind the rear set, or the rear set if there is no roller bearing.
+/// The heat enters the roller bearing behind the rear set, or the rear set if there is no roller
+/// bearing.
 inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .heat = &SpindleCondition::rear_bearing_heat,
     .id = "rear-bearing-heat",

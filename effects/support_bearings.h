@@ -19,8 +19,8 @@ namespace raceway::effects {
 /// c is the moment of the support bearings at 10 000 rpm, and s the constant share of c.
 /// Source:   constant and viscous part of Palmgren's moment [Palmgren1959]. Load and temperature of
 ///           the support bearings are assumed constant.
-/// Domain:   n >= 0, 0.1 <= s <= 0.7: with only a constant part, the effect would equal
-///           torque-offset; with only a viscous part, it resembles rig-viscous-drag.
+/// Domain:   n >= 0, 0.1 <= s <= 0.7. With s = 1, the effect would equal torque-offset; with s = 0,
+///           it would resemble rig-viscous-drag.
 struct SupportBearings {
   static constexpr std::string_view id = "support-bearings";
   static constexpr std::string_view title = "the reading includes the support bearings of the rig";

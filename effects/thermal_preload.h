@@ -8,14 +8,15 @@
 
 namespace raceway::effects {
 
-/// Law that the forms rig and shaft share: the temperature difference of the rings increases the
-/// preload.
+/// Common law of the forms for a rig and for a shaft: the temperature difference of the rings
+/// increases the preload. x is the added axial load or the radial growth.
 ///
 ///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
 ///
 /// Source:   steady heat flow: the temperature difference of the rings is proportional to the
-///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 describe the whole loop). P
-///           is computed at the load without the effect, so that the loop does not diverge.
+///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 describe the loop of heat,
+///           growth and preload). P is computed at the load without the effect, so that the loop
+///           does not diverge.
 /// Domain:   speed >= 0.
 struct PreloadByOwnHeat {
   static constexpr std::string_view id = "thermal-preload";
@@ -32,7 +33,8 @@ struct PreloadByOwnHeat {
 ///
 ///   F_a -> F_a + c P,   P = (M1 + M0) ω at the entered load
 ///
-/// In a rigid set, the load is proportional to the temperature difference. With springs, c = 0.
+/// In a rigid set, the load is proportional to the temperature difference. With a spring preload, c
+/// = 0.
 struct ThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
@@ -65,7 +67,7 @@ struct ThermalPreload : PreloadByOwnHeat {
 ///
 /// A free expansion λ d_m/2 of 0.5 um/K and a resistance of 0.01 to 0.1 K/W between the rings give
 /// c = 0.005 to 0.05 um/W. If the ring temperatures are measured, the equilibrium already includes
-/// their expansion, and c is only the remainder.
+/// their expansion, and c describes only the remaining growth.
 struct ShaftThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::shaft;
   // The temperatures of a spindle already include this growth.

@@ -8,14 +8,14 @@
 
 namespace raceway::effects {
 
-/// Law that the forms rig and shaft share: the inner raceway grows relative to the outer one with
-/// the ring temperatures. The free expansion is λ (T_i - T_o) d_m/2 with the thermal expansion λ of
-/// the rings: 0.5 um/K for steel and d_m = 90 mm.
+/// Common law of the forms for a rig and for a shaft: the inner raceway grows relative to the outer
+/// raceway with the ring temperatures. The free expansion is λ (T_i - T_o) d_m/2 with the thermal
+/// expansion λ of the rings: 0.5 um/K for steel and d_m = 90 mm.
 struct GrowthByRingTemperatures {
   static constexpr std::string_view id = "thermal-ring-growth";
   static constexpr bool follows_heat = true;
 
-  /// Returns T_i - T_o [K]; NaN if one of them was not recorded.
+  /// Returns T_i - T_o [K]; NaN if one of these temperatures was not recorded.
   static double difference(const Record& record) {
     return record.inner_ring_temperature - record.outer_ring_temperature;
   }

@@ -59,8 +59,8 @@ struct TorqueCreep {
 ///   M_read = M + c/2  speed reached from below,   M - c/2  from above
 ///
 /// Source:   definition. Possible causes: a sensor with hysteresis, a support that sticks.
-/// Domain:   needs the time of every row. The first speed of a run counts as reached from below
-///           (Record::direction).
+/// Domain:   needs the time of every row. For the first speed of a run, the law assumes that it was
+///           reached from below (Record::direction).
 struct SpeedHysteresis {
   static constexpr std::string_view id = "speed-hysteresis";
   static constexpr std::string_view title = "readings differ between rising and falling speed";

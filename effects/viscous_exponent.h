@@ -15,10 +15,10 @@ namespace raceway::effects {
 ///   M = M0 ((max(ν n, 2000)/300000)^e - 1)        ν n in mm²/s rpm
 ///
 /// M0 is then proportional to (ν n)^(2/3 + e). M0 is unchanged at ν n = 300 000, in the middle of
-/// the range of spindles. This reference separates e from f0.
+/// the range of spindles. With this reference value, a fit can separate e from f0.
 /// Source:   tests show exponents from 0.55 to 0.75 instead of 2/3, so e is -0.12 to 0.08
 ///           [Palmgren1959, form of the law; range assumed].
-/// Domain:   speed >= 0; constant below ν n = 2000, like the law of Palmgren.
+/// Domain:   speed >= 0; M is constant below ν n = 2000, like Palmgren's M0.
 struct ViscousExponent {
   static constexpr std::string_view id = "viscous-exponent";
   static constexpr std::string_view title = "a different exponent of the viscous moment";

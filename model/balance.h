@@ -6,8 +6,8 @@
 
 namespace raceway::model {
 
-/// Inputs of ball rotation without race control. All inputs are zero with race control. A change of
-/// these inputs changes the equilibrium.
+/// Oil properties that determine the rotation of the balls without race control. All members are
+/// zero with race control.
 struct BallTurning {
   double temperature = 0.0;                                 ///< temperature of the oil [K]
   double viscosity_40C = 0.0, viscosity_100C = 0.0;         ///< [m²/s]
@@ -26,8 +26,8 @@ struct BallTurning {
     const bearing::EquilibriumOptions& options, const friction::Lubricant& oil,
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Solves the equilibrium of the sets. `temperatures` are oil temperatures, one for each bearing or
-/// one for all [K].
+/// Solves the equilibrium of the bearing sets. `temperatures` are oil temperatures [K], one for
+/// each bearing or one for all bearings.
 [[nodiscard]] bearing::ArrangementEquilibrium solve_sets(
     const Model& model, const bearing::Arrangement& arrangement,
     const bearing::ArrangementCondition& condition, std::span<const double> temperatures,

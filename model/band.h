@@ -14,7 +14,7 @@ namespace raceway::model {
 ///
 /// The propagation is linear. g comes from central differences with steps of a tenth of a standard
 /// error. The difference is one-sided if a bound or a missing equilibrium prevents one side. The
-/// band covers only these parameters, not missing effects and not the noise of a reading.
+/// band does not include missing effects or the noise of a reading.
 /// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
 ///           errors.
 class Band {
@@ -29,9 +29,9 @@ class Band {
 
   /// Returns the names of the fitted parameters.
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
-  /// Returns the half width of each output in its unit; NaN if neither side has a prediction. The
-  /// operator calls `outputs` once for the model and at most twice for each parameter. Several
-  /// threads may call the operator simultaneously.
+  /// Returns the half width of each output in its unit; NaN if a parameter has no prediction on
+  /// either side. The operator calls `outputs` once for the model and at most twice for each
+  /// parameter. Several threads may call the operator simultaneously.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 
  private:

@@ -9,15 +9,17 @@ namespace raceway::model {
 /// cover the case (a thrust bearing, or a film too thin for ISO 281). Times are for the speed of
 /// the point, and infinite at standstill.
 struct BearingLife {
-  double load_rating = unset;      ///< load rating C [N], given or from ISO 281
+  double load_rating = unset;      ///< dynamic load rating C [N], given or from ISO 281
   double fatigue_load = unset;     ///< fatigue load limit C_u [N], given or from ISO 281
-  double equivalent_load = unset;  ///< P for the applied loads [N]
+  double equivalent_load = unset;  ///< equivalent load P of the applied loads [N]
   double basic = unset;            ///< basic rating life a1 L10 [s]
   double viscosity_ratio = unset;  ///< κ [1]
-  double modification = unset;     ///< a_ISO [1]
+  double modification = unset;     ///< life modification factor a_ISO [1]
   double modified = unset;         ///< modified rating life L_nm = a1 a_ISO L10 [s]
-  double reference = unset;        ///< a1 L10r of ISO/TS 16281 from the ball loads [s]
-  double static_safety = unset;    ///< (4.2 GPa/p_max)³; for rollers (4 GPa/p_max)² [1]
+  double reference = unset;        ///< reference rating life a1 L10r of ISO/TS 16281 from the ball
+                                   ///< loads [s]
+  double static_safety = unset;    ///< static safety factor (4.2 GPa/p_max)³; for rollers (4
+                                   ///< GPa/p_max)² [1]
   /// True if balls or rollers are of another material than the rings. ISO 281 has no a_ISO for this
   /// case. `modification` is then the value for steel, and `modified` is NaN.
   bool hybrid = false;

@@ -17,13 +17,14 @@ namespace raceway::model {
 /// parameter are not included.
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
-/// Returns an effect as a candidate; empty for an effect without a size parameter. For a coast-down
-/// rig, effects to which all rotating parts contribute have no upper limit of a plausible size.
+/// Returns an effect as a candidate that `diagnose` tests; empty for an effect without a size
+/// parameter. For a coast-down rig, effects to which all rotating parts contribute have no upper
+/// limit of a plausible size.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 
-/// Returns the measurements that would separate several rival effects, in the order of the
-/// catalogue and without repetition.
+/// Describes the measurements that would distinguish effects that explain the data equally well, in
+/// the order of the catalogue and without repetition.
 [[nodiscard]] std::vector<std::string> settling_records(
     effects::Form form, const std::vector<std::vector<std::string>>& rivals);
 

@@ -11,19 +11,20 @@
 
 namespace raceway::model {
 
-/// Ball equilibrium, shared by all its users.
+/// Ball equilibrium, shared by all objects that use it.
 using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 
 /// Stores contact results of one row for fits that need almost equal results repeatedly, because
 /// the integrals over the contact ellipses take most of the time.
 ///
 /// The key of a result consists of equilibrium, oil, temperature and the parameters of the law,
-/// except the factors of rolling and hysteresis. For films that heat themselves, results at a
-/// nearby temperature come from linear extrapolation along ν(T) of the oil. Accuracy: 1e-7 for
-/// extrapolated results; other results equal those of contact_result().
+/// except the factors of rolling and hysteresis. For effects of film self-heating, results at a
+/// nearby temperature come from linear extrapolation along the viscosity curve ν(T) of the oil.
+/// Accuracy: relative error 1e-7 for extrapolated results; other results equal the results of
+///           contact_result().
 class ContactMemory {
  public:
-  /// Returns the result for the state `s` with the balls `balls`.
+  /// Returns the contact result for the bearing state `s` with the ball equilibrium `balls`.
   [[nodiscard]] friction::contact::ContactResult at(const Balance& balls,
                                                     const friction::BearingState<double>& s,
                                                     std::span<const double> values);
@@ -32,9 +33,9 @@ class ContactMemory {
             std::span<const double> values, const friction::contact::ContactResult& result) {
     (void)remember(balls, s, values, result);
   }
-  /// Returns the total moment of the state `s` and the slope of this moment with temperature along
-  /// ν(T) of the oil. Moment and slope are for a stored temperature near s.temperature, or for
-  /// s.temperature itself.
+  /// Returns the friction moment of the bearing state `s`, and its derivative with respect to
+  /// temperature along ν(T) of the oil. Moment and slope are for a stored temperature near
+  /// s.temperature, or for s.temperature itself.
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);

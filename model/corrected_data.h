@@ -12,12 +12,13 @@ namespace raceway::model {
 /// not give it.
 [[nodiscard]] effects::Entry entry_of(const Model& model, double temperature);
 
-/// Returns the model with its own wrong data corrected: the lubricant gets the corrected values,
-/// and the effects that corrected it are removed. Corrections of recorded data remain effects.
+/// Returns the model with corrected lubricant viscosities. Effects that correct these viscosities
+/// are removed, because the lubricant then has the corrected values. Effects that correct recorded
+/// values remain.
 [[nodiscard]] Model with_corrected_data(Model model);
 
-/// Describes the data that an effect corrects, with the corrected values: "5.91 mm2/s at 100 C
-/// instead of the entered 6.4"; empty for physical effects.
+/// Describes the value that an effect corrects, such as "5.91 mm2/s at 100 C instead of the entered
+/// 6.4"; empty for physical effects.
 [[nodiscard]] std::string correction_text(const Model& model, const effects::Effect& effect);
 
 }  // namespace raceway::model

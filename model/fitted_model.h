@@ -8,8 +8,8 @@
 
 namespace raceway::model {
 
-/// Sets parameters of a model repeatedly. Finds the first stage of the prediction (Stage) that the
-/// new values change.
+/// Model whose parameters a fit sets repeatedly. This class finds the first stage of the prediction
+/// (Stage) that the new values change.
 class FittedModel {
  public:
   /// `steps` must be the steps of the model.
@@ -22,7 +22,7 @@ class FittedModel {
   /// from the values of the last keep(). Throws std::invalid_argument for values that the model
   /// does not accept.
   [[nodiscard]] Stage set(std::span<const double> values);
-  /// Tells this object that all predictions now correspond to these values, which must be the
+  /// Call this function after all predictions were computed with these values, which must be the
   /// values of the last set().
   void keep(std::span<const double> values);
 

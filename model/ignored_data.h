@@ -9,8 +9,9 @@
 namespace raceway::model {
 
 /// Returns the keys among `keys` that do not change the friction torque: neither the base law
-/// (friction::bearing_data()) nor an active effect uses them. An effect that uses the balls uses
-/// all keys except the data of the contact law. The result is empty for the laws contact and table.
+/// (friction::bearing_data()) nor an active effect uses them. An effect that uses the ball
+/// equilibrium uses all keys except the keys of the contact law. The result is empty for the laws
+/// contact and table.
 [[nodiscard]] std::vector<std::string> ignored_by_friction(const Model& model,
                                                            std::span<const std::string> keys);
 

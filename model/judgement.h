@@ -13,8 +13,8 @@
 /// docs/limits.md lists all limits.
 namespace raceway::model {
 
-/// A limit that a result should not exceed. A warning means that the design or the requested
-/// operating point should change. A note is for information.
+/// A limit that a result should not exceed. After a warning, change the design or the operating
+/// point. A note requires no change.
 struct Limit {
   std::string_view id;     ///< id in JSON documents
   double value;            ///< in `unit`; NaN if it depends on the bearing
@@ -24,14 +24,15 @@ struct Limit {
 
 namespace limits {
 
-/// Largest static equivalent load, C0. Source: [ISO76], static safety factor of 1.
+/// Largest static equivalent load: the static load rating C0. Source: [ISO76], static safety factor
+/// of 1.
 inline constexpr Limit static_load{"static_load", unset, "N", false};
 /// Largest contact pressure without permanent dents. Source: [ISO76], permanent deformation of 1e-4
 /// ball diameters.
 inline constexpr Limit static_pressure{"static_pressure", 4.2, "GPa", false};
-/// Largest pressure of a contact that is rolled over. Makers of spindle bearings give 2000 MPa as
-/// the limit below which their bearings do not fatigue (from memory, print not checked); [ISO281,
-/// annex B] uses 1500 MPa.
+/// Largest Hertz pressure in the contacts of a rotating bearing. Makers of spindle bearings give
+/// 2000 MPa as the limit below which their bearings do not fatigue (from memory, print not
+/// checked); [ISO281, annex B] uses 1500 MPa.
 inline constexpr Limit running_pressure{"running_pressure", 2.0, "GPa"};
 /// Largest speed in the catalogue for one bearing with spring preload. Source: [GMN4000]; balls of
 /// silicon nitride allow 1.25 times this speed [GMN speed factors].
@@ -63,14 +64,15 @@ inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
 /// Largest slope of the bending line for which beam and seats are linear. Spindle ball bearings
 /// tolerate a misalignment of about 0.6 mrad (2 angular minutes, from memory).
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
-/// Range of the friction table of a model. Outside the range, the value at the edge is used.
+/// Range of the torque table of a model. Outside the range, the torque at the edge of the table is
+/// used.
 inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 }  // namespace limits
 
 /// A limit that a result exceeds.
 struct Finding {
-  std::string_view limit;  ///< id of the exceeded limit
+  std::string_view limit;  ///< id of the limit that is exceeded
   bool is_warning = true;
   std::string place = {};                 ///< bearing on its shaft; empty for a bearing on a rig
   double value = unset, allowed = unset;  ///< values at the worst point, in `unit`
@@ -82,7 +84,7 @@ struct Finding {
 
 using Findings = std::vector<Finding>;
 
-/// Returns a finding for a single result, with its text.
+/// Returns the finding that `value`, in the unit of the limit, exceeds the limit.
 [[nodiscard]] Finding finding(const Limit& limit, double value, std::string text);
 
 [[nodiscard]] std::vector<std::string> warnings_of(const Findings& findings);
@@ -93,29 +95,31 @@ struct JudgedBearing {
   double axial_load = unset, radial_load = unset;
   double lost_balls = unset;
   double inner_pressure = unset, outer_pressure = unset;
-  /// contact angles of the balls in contact
+  /// smallest and largest contact angle at the inner ring, of the balls in contact [rad]
   double least_inner_angle = unset, largest_inner_angle = unset;
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
 };
 
-/// Judges points one by one. A judge finds balls that have lost the inner race, balls that do not
-/// lie against the shoulders of an angular-contact bearing (bearing/seat.h), and exceeded limits.
-/// For each finding, the judge stores the number of points and the worst point.
+/// Compares operating points with the limits, one by one. A judge finds balls that have lost the
+/// inner race, balls that do not lie against the shoulders of an angular-contact bearing
+/// (bearing/seat.h), and results beyond a limit. For each finding, the judge stores the number of
+/// points and the worst point.
 class Judge {
  public:
   explicit Judge(const Model& model);
 
-  /// `place` names the bearing on its shaft and is empty for a rig; `point` is the requested point.
+  /// Compares one bearing at one operating point with the limits. `place` names the bearing on its
+  /// shaft and is empty for a rig.
   void look(const bearing::Bearing& bearing, const std::string& place,
             const bearing::OperatingPoint& point, const JudgedBearing& state);
-  /// Judges only speed and lubricant of a bearing.
+  /// Compares only speed and lubricant temperature with their limits.
   void look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
                      const bearing::OperatingPoint& point);
-  /// If the law of the model is a friction table, judges whether a rotating bearing is outside the
-  /// range of the table.
+  /// If the law of the model is a friction table, checks if a rotating bearing is outside the range
+  /// of the table.
   void look_at_table(const std::string& place, const bearing::OperatingPoint& point,
                      double axial_load, double radial_load);
-  /// Judges the smaller force of the two sets relative to the mounted force [N].
+  /// Compares the preload, the smaller axial force of the two sets, with the force as mounted [N].
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
   /// Adds the findings of another judge for the same model.
@@ -149,7 +153,7 @@ class Judge {
   std::size_t turning_ = 0;  ///< number of states of rotating bearings with the law `table`
 };
 
-/// Returns true for balls of a much lower density than the rings, such as silicon nitride.
+/// Returns true if the balls are much less dense than the rings, as balls of silicon nitride are.
 [[nodiscard]] bool has_ceramic_balls(const bearing::Bearing& bearing);
 /// Returns true if the model has ceramic balls; false for rollers.
 [[nodiscard]] bool has_ceramic_balls(const Model& model);
@@ -165,8 +169,8 @@ struct Possible {
 /// bearing steel. Source: thin rotating ring, derived.
 [[nodiscard]] Possible possible_speeds(const Model& model);
 
-/// Returns the range of temperatures at which an oil flows, because its viscosity is below 1e7
-/// mm²/s [K]. An oil with a higher viscosity is as thick as pitch and does not reach a contact.
+/// Returns the range of temperatures [K] at which an oil flows: its viscosity is below 1e7 mm²/s.
+/// An oil with a higher viscosity is as thick as pitch and does not reach a contact.
 [[nodiscard]] Possible possible_temperatures(const friction::Lubricant& lubricant);
 
 /// Freezing and boiling temperature of water at atmospheric pressure [K].

@@ -21,16 +21,16 @@
 
 namespace raceway::model {
 
-/// Data of the test rig, used if a record does not contain them.
+/// Properties of the test rig. Loads and temperatures apply if a record lacks their columns.
 struct Rig {
   double inertia = unset;        ///< inertia of all parts that coast down [kg m²]; NaN: not given
-  bool unknown_inertia = false;  ///< true: the inertia is declared as unknown, so torques have an
-                                 ///< unknown common factor
+  bool unknown_inertia = false;  ///< true if the user declares the inertia as unknown; all torques
+                                 ///< then have one unknown common factor
   int bearings = 1;              ///< number of equal bearings whose torque the rig measures [1]
-  double axial_load = unset;     ///< per bearing, for rows without a load column [N]
-  double radial_load = 0.0;      ///< per bearing [N]
-  double temperature = kelvin(40);  ///< [K]
-  double room_temperature = unset;  ///< [K]; NaN: the coldest row of a record is used
+  double axial_load = unset;     ///< axial load per bearing [N]
+  double radial_load = 0.0;      ///< radial load per bearing [N]
+  double temperature = kelvin(40);  ///< bearing temperature [K]
+  double room_temperature = unset;  ///< room temperature [K]; NaN: lowest temperature in the record
   double minimum_speed = 0.0;       ///< coast-down rows below this speed are excluded [rad/s]
 
   /// Returns true for a coast-down rig, where friction slows down the shaft and all parts on it.
@@ -41,32 +41,35 @@ struct Rig {
 struct Shaft {
   bearing::Arrangement arrangement;
   double external_load = 0.0;  ///< axial load, positive towards the tool [N]
-  /// Parts without a measured temperature have the mounting temperature.
+  /// Measured temperatures of shaft, housing and rings. Parts without a measured temperature have
+  /// the mounting temperature.
   std::optional<bearing::SetTemperatures> temperatures = {};
-  /// True if the bearings of a set differ from the bearing of the model.
+  /// True if the sets contain bearings that differ from Model::bearing.
   bool own_bearings = false;
 };
 
-/// Catalogue speeds of a bearing [rad/s]; NaN if not in the catalogue.
+/// Limiting speeds in the catalogue of a bearing [rad/s]; NaN if not given.
 struct PrintedSpeed {
   double oil = unset, grease = unset;
 };
 
-/// Model of a bearing on a rig, or of sets on a shaft, as entered by the user. rig::RigSubject and
-/// shaft::ShaftSubject adapt the model to the loop.
+/// Model of a bearing on a rig, or of bearing sets on a shaft, as entered by the user.
+/// rig::RigSubject and shaft::ShaftSubject prepare the model for fits and diagnosis.
 struct Model {
   std::string name;
   /// Temperature range of the rows in use [K]; NaN without a record.
   double coldest = unset, hottest = unset;
   ModelBearing bearing;
   friction::Lubricant lubricant;
-  /// Lubricant supply, which excludes some effects; empty if not given.
+  /// Lubricant supply, such as oil bath; empty if not given. The supply excludes some effects.
   std::optional<friction::Supply> supply = {};
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  /// load in the laws palmgren and powers, and in all laws for rollers
+  /// Load in the formulas of the laws palmgren, powers and contact-powers, and of all laws for
+  /// rollers.
   friction::F1Load f1_load = friction::F1Load::P0;
-  std::vector<double> law_values;               ///< in the order of friction::parameters(law)
-  friction::contact::ContactData contact = {};  ///< data of the contact law
+  std::vector<double> law_values;               ///< parameter values, in the order of
+                                                ///< friction::parameters(law)
+  friction::contact::ContactData contact = {};  ///< further inputs of the contact law
   /// Torque table for the law `table`. A model with another law may also name a table; `diagnose`
   /// then tests the law `table` as an alternative. Null if the model names no table.
   std::shared_ptr<const friction::TorqueTable> table = nullptr;
@@ -76,20 +79,21 @@ struct Model {
   /// contact law; see solve_balls().
   bool balanced_balls = false;
   LifeData life = {};
-  PrintedSpeed printed_speed = {};  ///< NaN if the sets have different bearings
+  PrintedSpeed printed_speed = {};  ///< catalogue speeds; NaN if the sets have different bearings
   Rig rig;
-  /// Names of the parameters that may be refitted, as in parameters(); empty means default_free().
+  /// Names of the parameters that a fit may change, as in parameters(). An empty list means
+  /// default_free().
   std::vector<std::string> free;
   /// Shaft of the model. The member `bearing` above is then the first bearing of the front set.
   std::optional<Shaft> shaft = {};
-  /// Surroundings of the sets in a model of a whole spindle. Such a model also has `shaft`.
+  /// All other parts of a spindle, in a model of a whole spindle. Such a model also has `shaft`.
   std::optional<Spindle> spindle = {};
-  /// Acceptable errors of measured channels, by name [SI].
+  /// Largest acceptable RMS error of each measured channel, with the name of the channel [SI].
   std::vector<record::NamedValue> tolerances = {};
   /// Covariance of the fitted parameters at their current values.
   std::optional<fit::Covariance> covariance = {};
 
-  /// Returns the form of effects that the model accepts.
+  /// Returns the kind of this model, which selects the form of its effects: spindle, shaft or rig.
   [[nodiscard]] effects::Form form() const {
     if (spindle) return effects::Form::spindle;
     return shaft ? effects::Form::shaft : effects::Form::rig;

@@ -11,12 +11,12 @@ namespace raceway::model {
 struct ChangedNumber {
   std::string name;       ///< name as in parameters()
   std::string unit;       ///< unit as in files
-  double before = unset;  ///< NaN if the previous model lacks it
+  double before = unset;  ///< NaN if the previous model lacks the parameter
   double after = unset;
 };
 
 /// Changes between two models: added and removed effects, and changed values of parameters(). These
-/// are all changes that `calibrate` and `add` can make. Other data are not compared.
+/// are all changes that `calibrate` and `add` can make. Other differences are not reported.
 struct ModelChanges {
   std::vector<std::string> added, removed;  ///< ids of the effects
   std::vector<ChangedNumber> numbers;       ///< in the order of parameters()

@@ -28,17 +28,18 @@ struct Expected {
   };
   std::vector<Default> defaults{};
   std::vector<Partner> partners{};
-  /// Measured channels. The first one with a column in the file is used; the model may still reject
-  /// it.
+  /// Measured channels. The first channel with a column in the file is used; the model may still
+  /// reject this channel.
   std::vector<const record::Channel*> measured{};
   std::vector<const record::Channel*> signed_inputs{};  ///< inputs that may be negative
-  bool coast_down = false;     ///< true: time and speed alone give a record of friction torque
+  bool coast_down = false;     ///< true: the friction torque is computed from time and speed
   double minimum_speed = 0.0;  ///< coast-down rows below this speed are excluded [rad/s]
   /// Columns that the program reads but does not use, each with a message.
   std::vector<std::pair<const record::Channel*, std::string>> unused{};
 };
 
-/// Subject for a model; the common base of the subjects for rig and shaft.
+/// Model prepared for fits and diagnosis (fit::Subject): the base class for models of a rig and of
+/// a shaft.
 ///
 /// User-defined effects that are only candidates (see waiting_effects()) keep their place in the
 /// model, so that addresses agree with the file. These effects have no influence until they are
@@ -49,7 +50,7 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] virtual Expected expected() const = 0;
 
-  /// Returns a subject with the temperature range of the record; null if the record has no
+  /// Returns a subject that has the temperature range of the record; null if the record has no
   /// temperatures. If the rig gives no ambient temperature, the coldest row gives it.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
@@ -63,13 +64,13 @@ class ModelSubject : public fit::Subject {
   /// (own_data()) and are not free.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   /// Returns the ids of the effects of the catalogue in the form for the model, of the user-defined
-  /// effects that are only candidates, and of own_data(). Effects that act only on spindles are
+  /// effects that are only candidates, and of own_data(). Effects that exist only for spindles are
   /// included only for a spindle.
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> without_free_candidates() const override;
-  /// Adds the shape as a user-defined effect that is only a candidate.
+  /// Adds the formula `shape` as a user-defined effect that is only a candidate.
   [[nodiscard]] std::unique_ptr<fit::Subject> with_shape(const std::string& id,
                                                          const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
@@ -87,7 +88,7 @@ class ModelSubject : public fit::Subject {
   /// Returns a subject of the same kind with the same corrected data.
   [[nodiscard]] std::unique_ptr<ModelSubject> with(Model model,
                                                    std::vector<std::string> waiting) const;
-  /// Creates a subject of the same kind.
+  /// Creates a subject of the same class from a model and the ids of its candidates.
   [[nodiscard]] virtual std::unique_ptr<ModelSubject> make(
       Model model, std::vector<std::string> waiting) const = 0;
 

@@ -8,8 +8,8 @@
 
 namespace raceway::model {
 
-/// Explains in one sentence why an effect cannot act in a model, for any data: the model has
-/// another lubricant supply. The text is empty if the effect can act.
+/// Explains in one sentence why an effect cannot occur in a model, for any record: the model has
+/// another lubricant supply. The text is empty if the effect can occur.
 [[nodiscard]] std::string ruled_out(const effects::Description& effect, const Model& model);
 
 /// Explains why the base law of a model excludes an effect: the law already contains the effect,
@@ -22,14 +22,14 @@ namespace raceway::model {
 [[nodiscard]] const record::Channel& measured_of_shaft(const record::Record& record);
 
 /// Names the input that an effect needs and that the model or the record lacks; empty if no input
-/// is missing. Missing levels are not included, because the data show whether base parameters have
-/// a similar influence.
+/// is missing. Missing levels (distinct values of an input) are not included, because the data show
+/// if base parameters have a similar influence.
 [[nodiscard]] std::string missing_need(const effects::Description& effect, const Model& model,
                                        const record::Record& record);
 
-/// Names the levels that an effect needs and that the record lacks. Without these levels, base
-/// parameters have almost the same influence as the effect. The text is empty if no levels are
-/// missing.
+/// Names the levels that an effect needs and that the record lacks, for example a second load.
+/// Without these levels, base parameters have almost the same influence as the effect. The text is
+/// empty if no levels are missing.
 [[nodiscard]] std::string missing_levels(const effects::Description& effect, const Model& model,
                                          const record::Record& record);
 

@@ -9,25 +9,27 @@
 #include "fit/subject.h"
 #include "model/model.h"
 
-/// Tests data of the model that may be wrong and that affect the readings: contact angle and groove
-/// conformity of bearings on a shaft, and for a spindle the inlet temperature of each coolant
-/// circuit and the position of each thermometer. The program tests these data like effects and then
-/// corrects the data in the model.
+/// Functions for model data that may be wrong and that affect the readings: contact angle and
+/// groove conformity of bearings on a shaft, and for a spindle the inlet temperature of each
+/// coolant circuit and the position of each thermometer. `diagnose` tests these data like effects,
+/// and `add` corrects them in the model.
 namespace raceway::model {
 
 /// Returns the ids of the data that this model has.
 [[nodiscard]] std::vector<std::string> own_data(const Model& model);
 
-/// Returns a datum as a candidate; empty if the model does not have it.
+/// Returns a datum as a candidate that `diagnose` tests; empty if the model does not have the
+/// datum.
 [[nodiscard]] std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id);
 
 /// Returns the parameter whose value is the datum, with the name of the candidate.
 [[nodiscard]] fit::Parameter own_datum_parameter(const Model& model, std::string_view id);
 
-/// Explains a datum, for any model; empty if the id is not a datum.
+/// Returns an explanation of a datum, for any model; empty if the id is not a datum.
 [[nodiscard]] std::string own_datum_explained(std::string_view id);
 
-/// Returns "contact angle 24.1 deg instead of the entered 25"; empty if the id is not a datum.
+/// Describes a corrected datum: "contact angle 24.1 deg instead of the entered 25"; empty if the id
+/// is not a datum.
 [[nodiscard]] std::string own_datum_text(const Model& model, std::string_view id, double value);
 
 }  // namespace raceway::model

@@ -11,12 +11,12 @@
 
 namespace raceway::model {
 
-/// Returns all parameters of a model that may be fitted, with start and value from the model: base
-/// law first, then arrangement, bearing and spindle, then the effects in their order. Each line has
-/// the name of a parameter, and its address or addresses in the model file.
+/// Returns all parameters of a model that a fit can change, with their values in the model. The
+/// order is: base law, arrangement, bearing, spindle, then the effects in their order. Each line
+/// below gives the name of a parameter and its addresses in the model file.
 ///
 ///   f0, z, y, mu_bl, scale ...  friction.f0; limiting_traction: lubricant.limiting_traction
-///   preload_N                   arrangement.preload_N: force on each side at standstill
+///   preload_N                   arrangement.preload_N: force on each set at standstill
 ///   inner_conformity            bearing.inner_conformity; outer_conformity likewise
 ///   conformity                  both conformities, if they are equal in the model
 ///   contact_angle_deg           bearing.contact_angle_deg: free angle; unchanged preload force
@@ -34,15 +34,15 @@ namespace raceway::model {
 ///   sensor.NAME.position_mm     sensor.2.position_mm of the third sensor
 ///   mixed-lubrication.K_rs      effect.2.K_rs of the third effect; the name is "id.name"
 ///
-/// Parameters of the bearing exist only with a shaft whose sets have equal bearings. The values of
-/// these parameters are valid for all bearings of the arrangement. The preload is a parameter only
-/// if it is given as a force. `neutral` and the plausible range belong to effects and are otherwise
-/// NaN.
+/// Parameters of the bearing exist only with a shaft whose sets have equal bearings. Each of these
+/// parameters has one value for all bearings of the arrangement. The preload is a parameter only if
+/// it is given as a force. `neutral` and the plausible range are NaN except for parameters of
+/// effects.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
-/// Returns the usual range of an effect's parameter for the size of the model's bearing. If all
-/// parts on a coast-down shaft contribute to the effect, the upper limit is the bound of the
-/// parameter, because no published range exists.
+/// Returns the usual range of an effect's parameter for the size of the model's bearing, in the
+/// unit of the files. On a coast-down rig, an effect to which all rotating parts contribute has no
+/// published range. The upper limit is then the bound of the parameter.
 [[nodiscard]] std::pair<double, double> plausible_range(const effects::Description& effect,
                                                         const effects::Parameter& number,
                                                         const Model& model);
@@ -90,7 +90,7 @@ class ParameterPlace {
 [[nodiscard]] double get(const Model& model, const record::Parameter& parameter);
 void set(Model& model, const record::Parameter& parameter, double value);
 
-/// Returns the parameters that are free by default:
+/// Returns the parameters of a friction law that a fit changes by default:
 ///
 ///   palmgren         f0, z (the data rarely separate y from z); f0, f1 for rollers
 ///   powers           all parameters, as for contact-powers

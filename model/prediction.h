@@ -13,15 +13,16 @@
 
 namespace raceway::model {
 
-/// Friction of one bearing at one operating point, and the reading of the rig. Values are NaN if an
-/// input is unknown, or if an effect needs the equilibrium and the point has none; `report` gives
-/// the reason. If only an effect has no value, the base moments are still valid. A model that does
-/// not need the balls gives a torque even without an equilibrium.
+/// Friction of one bearing at one operating point, and the reading of the rig. A value is NaN if an
+/// input is unknown, or if an effect needs the ball equilibrium and the solver found none (see
+/// `report`). If only an effect has no value, `load` and `viscous` are still valid. A model that
+/// does not need the ball loads gives a torque even without an equilibrium.
 struct FrictionPrediction {
   double load = unset;     ///< load moment of the base law at the actual load of the bearing [N m]
-  double viscous = unset;  ///< viscous moment of the base law, as reduced by the film [N m]
-  /// Moment of each effect, in the order of the model [N m]. The moment is 0 for an effect on
-  /// condition, lubricant or reading; the other terms contain the influence of such an effect.
+  double viscous = unset;  ///< viscous moment of the base law, with the effects on the film [N m]
+  /// Moment of each effect, in the order of the model [N m]. The moment is 0 for an effect that
+  /// changes the condition, the lubricant or the reading; `load`, `viscous` or `reading` contains
+  /// the influence of such an effect.
   std::vector<double> effects;
   /// Result of the contact law for `load` and `viscous`, including effects on the film.
   std::optional<friction::contact::ContactResult> contacts;
@@ -29,9 +30,9 @@ struct FrictionPrediction {
   double power_loss = unset;  ///< torque times speed [W]
   /// reading of the rig: torque of all its bearings, changed by the effects on the reading [N m]
   double reading = unset;
-  effects::Condition condition;  ///< changes of the original condition by effects
+  effects::Condition condition;  ///< extra load, tilt, ring growth and ball material from effects
   effects::Film film;            ///< viscosity and temperature of the film
-  /// Bearing as changed by the condition; null if unchanged.
+  /// Bearing with the changes of `condition`; null if the bearing is unchanged.
   std::shared_ptr<const bearing::Bearing> bearing;
   /// Balls in equilibrium; null without an equilibrium, or if it was neither requested nor needed.
   std::shared_ptr<const bearing::BearingEquilibrium> equilibrium;
@@ -40,28 +41,28 @@ struct FrictionPrediction {
   bearing::SolveReport report;  ///< not_run if no equilibrium was needed
 
   [[nodiscard]] bool predicted() const;  ///< true if the torque is finite
-  /// Returns the status of the point for all commands: the outcome of the equilibrium solve. A
-  /// converged point whose torque, parts or loss are not finite gives `not_finite`.
+  /// Returns the status of the point for all commands: the outcome of the equilibrium solve. The
+  /// status is `not_finite` if the solve converged but a torque or the power loss is not finite.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
-/// Returns the ball bearing of a prediction, as changed by the condition.
+/// Returns the ball bearing of a prediction, with the changes of its condition.
 [[nodiscard]] inline const bearing::Bearing& bearing_of(const Model& model,
                                                         const FrictionPrediction& prediction) {
   return prediction.bearing ? *prediction.bearing : *model.bearing;
 }
 
-/// Names of the parts of a torque: parts of the base law, then the effects.
-///   palmgren, skf, powers: load, viscous     contact: rolling, sliding, hysteresis, drag
-///   table: table
+/// Returns the names of the terms of a torque: terms of the base law, then the effects.
+///   contact: rolling, sliding, hysteresis, drag     table: table
+///   all other laws: load, viscous
 [[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
 /// Returns the torque parts of a prediction in the order of torque_parts() [N m]; NaN for a missing
 /// part.
 [[nodiscard]] std::vector<double> moments_of_parts(const Model& model,
                                                    const FrictionPrediction& prediction);
 
-/// Returns the contacts of every distinct ball of a converged prediction by the contact law,
-/// including effects on the film.
+/// Returns the contact friction of the balls in a converged prediction by the contact law,
+/// including effects on the film. Balls with equal loads occur once.
 [[nodiscard]] std::vector<friction::contact::BallFriction> ball_contacts(
     const Model& model, const bearing::OperatingPoint& point, const FrictionPrediction& prediction);
 
@@ -70,11 +71,11 @@ struct FrictionPrediction {
 [[nodiscard]] std::string why_not_converged(const Model& model,
                                             const FrictionPrediction& prediction);
 
-/// Predicts the friction of one bearing [N m] in four steps. Effects may act at each step:
+/// Predicts the friction of one bearing [N m] in steps, each of which effects can change:
 ///
 ///   condition    extra load, tilt, growth of rings, ball material: changes add up
 ///   -> ball equilibrium, if an effect needs it or `with_equilibrium` requests it
-///   lubricant    viscosity of the film and share of the viscous moment, in the order of the
+///   lubricant    viscosity of the film and factor on the viscous moment, in the order of the
 ///                catalogue
 ///   -> base law at the actual load and the film's viscosity; Palmgren's with the original bearing
 ///   moment       added moments, each computed from the base moments
@@ -98,8 +99,9 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 [[nodiscard]] std::vector<FrictionPrediction> predict_rows(const Model& model,
                                                            const record::Record& record);
 
-/// Returns the share of an added moment for one bearing [1]. On a coast-down rig, drag on the rotor
-/// exists once (effects::Nature::drags_on_the_rotor); every other effect exists once per bearing.
+/// Returns the share of an added moment for one bearing [1]. The share is 1/bearings for drag on
+/// the rotor of a coast-down rig (effects::Nature::drags_on_the_rotor), and 1 for every other
+/// effect.
 [[nodiscard]] double share_of_bearing(const effects::Description& effect, const Rig& rig);
 
 /// Returns the torque of all bearings of a rig on one shaft, M = bearings * M_bearing [N m],

@@ -18,7 +18,7 @@ struct Rings {
   /// Outer diameter of the inner ring and inner diameter of the outer ring: shoulders next to the
   /// balls, or raceways of rollers [m].
   double inner_shoulder = unset, outer_shoulder = unset;
-  /// diametral, cold and at standstill [m]
+  /// Diametral fits of the seats, cold and at standstill [m].
   double inner_interference = unset, outer_clearance = unset;
   [[nodiscard]] double front() const { return position - 0.5 * width; }
   [[nodiscard]] double rear() const { return position + 0.5 * width; }

@@ -10,13 +10,13 @@ namespace raceway::model {
 
 /// One row of a record, as input of predictions.
 struct Row {
-  bearing::OperatingPoint point;  ///< radial load along y; for a shaft the axial load is external
-  effects::Record record;         ///< refers to the record, which must live longer
+  bearing::OperatingPoint point;  ///< radial load along y; external axial load of a shaft
+  effects::Record record;         ///< view of the record, which must outlive it
   double preload = unset;         ///< preload force of the sets at standstill [N]
 };
 
-/// Returns all rows of a record. Values without a column are NaN, but the default temperature is 40
-/// °C.
+/// Returns all rows of a record. A value without a column is NaN. Without a temperature column, the
+/// temperature is 40 °C.
 [[nodiscard]] std::vector<Row> rows_of(const record::Record& record);
 
 }  // namespace raceway::model

@@ -21,7 +21,7 @@ class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
 
-  /// `known` is the equilibrium under the condition `given`, if available: the equilibrium of the
+  /// `known` is the equilibrium under the condition `given`, or null: the equilibrium of the
   /// original bearing, or of a bearing in its set on a shaft. `given` is a condition in addition to
   /// the changes by effects in `steps`. `bearing` is the bearing of this equilibrium, if it differs
   /// from the bearing of the model. `rollers` is the equilibrium of the original cylindrical roller
@@ -36,19 +36,19 @@ class RowPredictor {
   /// of the model that act before the stage `from` must be the same as in the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
-  /// Returns the case whose equilibrium predict() will need, so that a caller can solve many cases
-  /// together and pass the results to answer(). The result is empty if no equilibrium is needed, if
-  /// it is already stored, if an input is unknown, or if the equilibrium has an imposed tilt or
-  /// traction-controlled balls.
+  /// Returns the bearing and loads whose equilibrium predict() will need, so that a caller can
+  /// solve many cases together and pass the results to answer(). The result is empty if no
+  /// equilibrium is needed, if it is already stored, if an input is unknown, or if the equilibrium
+  /// has an imposed tilt or traction-controlled balls.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
   /// Solves only the equilibrium, as predict() would.
   void balance(const Model& model, const Steps& steps);
 
-  /// Returns the state of the contacts in a known equilibrium. A caller can compute the friction of
-  /// the contacts and pass it back; predict() then uses it. The result is empty for other laws,
-  /// without an equilibrium, for a bearing changed by the condition, for traction-controlled balls,
-  /// and if effects act on the film.
+  /// Returns the inputs of the contact law in a known equilibrium. A caller can compute the contact
+  /// friction and pass it to answer_contacts(); predict() then uses it. The result is empty for
+  /// laws other than the contact law, without an equilibrium, for a bearing that the condition
+  /// changes, for traction-controlled balls, and if an effect changes the film.
   [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
                                                                            const Steps& steps);
   void answer_contacts(const Model& model, const friction::contact::ContactResult& contacts);
@@ -121,7 +121,7 @@ class RowPredictor {
   double torque_ = unset, reading_ = unset;
 };
 
-/// Solves the equilibria of several rows, several at a time.
+/// Solves the equilibria of several rows together, which is faster than one by one.
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
 /// Computes the contact friction of several rows, several at a time

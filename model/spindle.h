@@ -47,7 +47,8 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
 struct Segment {
   double length = unset;    ///< [m]
   double diameter = unset;  ///< outer diameter [m]
-  double bore = unset;      ///< [m]; 0: solid. For a housing, NaN means the bearing diameter
+  double bore = unset;      ///< bore [m]; 0: solid part. For a housing, NaN means the outer
+                            ///< diameter of the bearings
   SolidMaterial material = steel_of_shafts;
 };
 
@@ -55,8 +56,9 @@ struct Segment {
 struct Disk {
   double position = unset;           ///< distance behind the nose face [m]
   double mass = unset;               ///< [kg]
-  double diametral_inertia = unset;  ///< about a radial axis through the disk [kg m²]
-  double polar_inertia = unset;      ///< about the shaft axis [kg m²]
+  double diametral_inertia = unset;  ///< moment of inertia about a radial axis through the disk [kg
+                                     ///< m²]
+  double polar_inertia = unset;      ///< moment of inertia about the shaft axis [kg m²]
 };
 
 /// A spring between shaft and housing, for a bearing of which only the stiffness is known.
@@ -83,54 +85,57 @@ struct ScrewedJoint {
 
 struct Housing {
   double start = unset;  ///< front face, distance behind the nose face [m]
-  /// Segments from the front face. A segment without a bore has the outer diameter of the bearings
-  /// as its bore.
+  /// Segments from the front face. If the bore of a segment is NaN, it equals the outer diameter of
+  /// the bearings.
   std::vector<Segment> segments;
-  double flange = unset;           ///< centre of the bolted connection to the machine [m]
-  double flange_length = 20 * mm;  ///< [m]
-  /// Conductance into the machine [W/K]; with a joint, only the path behind the joint.
+  double flange = unset;           ///< middle of the flange, distance behind the nose face [m]
+  double flange_length = 20 * mm;  ///< axial length of the flange [m]
+  /// Thermal conductance from the flange into the machine [W/K]. If `flange_joint` is given, this
+  /// is only the conductance behind the joint.
   double flange_conductance = 4.0;
   std::optional<ScrewedJoint> flange_joint = {};
 };
 
 /// Seats of the rings, and contacts at their side faces.
 struct Seat {
-  double inner_interference = 6 * um;  ///< diametral, as mounted and at standstill [m]
-  double outer_clearance = 4 * um;     ///< diametral clearance [m]
-  double roughness = 0.8 * um;         ///< Ra [m]
+  double inner_interference = 6 * um;  ///< diametral interference of the inner ring, as mounted and
+                                       ///< at standstill [m]
+  double outer_clearance = 4 * um;     ///< diametral clearance of the outer ring [m]
+  double roughness = 0.8 * um;         ///< roughness Ra of the surfaces [m]
   double slope = 0.15;                 ///< mean asperity slope of the surfaces [1]
   double hardness = 3e9;               ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
-  /// Clamping forces of the inner rings with their spacers and of the outer rings [N]. With these
-  /// forces, the conductance of the side faces depends on the contact pressure. If the forces are
-  /// NaN, side faces have shoulder_conductance, and spacers have no contact resistance.
+  /// Clamping forces of the inner rings with their spacers, and of the outer rings [N]. If a force
+  /// is given, the conductance of the side faces depends on the contact pressure. If the force is
+  /// NaN, the side faces have shoulder_conductance, and spacers have no contact resistance.
   double inner_clamping_force = unset, outer_clamping_force = unset;
   /// Conductance from a side face of an outer ring to an adjacent collar of the shaft [W/(m² K)].
-  /// The default assumes a contact as at a shoulder. An open gap of 0.1 mm with air would conduct
-  /// 270.
+  /// The default assumes a contact as at a shoulder. An open air gap of 0.1 mm would conduct 270
+  /// W/(m² K).
   double collar_conductance = 8000.0;
-  /// Conductance of the outer seats [W/(m² K)]. If given, it replaces the value that follows from
-  /// the fit.
+  /// Conductance of the outer seats [W/(m² K)]. If given, it replaces the value computed from the
+  /// clearance.
   double outer_conductance = unset;
 };
 
 enum class Fluid { water, oil };
 
-inline constexpr double l_per_min = 1e-3 / 60;  ///< unit of a flow of coolant [m³/s]
+inline constexpr double l_per_min = 1e-3 / 60;  ///< one litre per minute [m³/s]
 
 /// A cylindrical roller bearing on the shaft in addition to the sets, free to move axially. The
 /// friction of the bearing follows Palmgren's formulas.
 struct RollerOnShaft {
-  std::string name;         ///< gives the columns NAME_clearance_um and others
+  std::string name;         ///< NAME in columns such as NAME_clearance_um
   double position = unset;  ///< distance behind the nose face [m]
   /// Bore, outer diameter and width must be given.
   bearing::RollerBearing bearing;
-  double f0 = unset, f1 = unset;  ///< [1]
+  double f0 = unset, f1 = unset;  ///< factors of Palmgren's formulas [1]
   friction::F1Load counted = friction::F1Load::rollers;
   /// Diametral fits of the seats of this bearing [m]; NaN means the values of Seat.
   double inner_interference = unset, outer_clearance = unset;
-  /// Conductance in addition to the contacts [W/K]; NaN means the value of the ball bearings.
+  /// Thermal conductance through the lubricant, in addition to the contacts [W/K]; NaN means the
+  /// value of the ball bearings.
   double lubricant_conductance = unset;
 };
 
@@ -141,7 +146,7 @@ struct Belt {
   double position = unset;  ///< distance behind the nose face [m]
 };
 
-/// A helical channel around the housing.
+/// A helical coolant channel around the housing.
 struct Coolant {
   Fluid fluid = Fluid::water;
   double flow = unset;                ///< [m³/s]
@@ -151,50 +156,54 @@ struct Coolant {
   double channel_depth = unset;       ///< radial depth [m]
   double pitch = unset;               ///< pitch of the turns [m]
   double start = unset, end = unset;  ///< distances behind the nose face [m]
-  double stagnant = 25.0;             ///< film coefficient of the standing fluid [W/(m² K)]
-  double throttle_diameter = unset;   ///< orifice at the outlet [m]; NaN: no orifice
+  double stagnant = 25.0;             ///< heat transfer coefficient without flow [W/(m² K)]
+  double throttle_diameter = unset;   ///< diameter of an orifice at the outlet [m]; NaN: none
 };
 
 /// A further coolant circuit, with a channel around another span of the housing.
 struct Circuit {
-  std::string name;  ///< gives the columns NAME_outlet_temperature_C and heat_to_NAME_W
-  Coolant channel;   ///< inlet temperature NaN: value of the first circuit
+  std::string name;  ///< NAME in the columns NAME_outlet_temperature_C and heat_to_NAME_W
+  Coolant channel;   ///< its inlet temperature may be NaN: value of the first circuit
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };
 
 struct Ambient {
-  double temperature = kelvin(20);     ///< [K]
-  double machine_temperature = unset;  ///< at the flange [K]; NaN: ambient temperature
+  double temperature = kelvin(20);     ///< ambient temperature [K]
+  double machine_temperature = unset;  ///< temperature of the machine at the flange [K]; NaN:
+                                       ///< ambient temperature
   double emissivity = 0.85;            ///< emissivity of the housing [1]
   double convection_factor = 1.0;      ///< factor on free convection of the housing [1]
   RotatingConvection rotating_convection = RotatingConvection::becker;
 };
 
-/// A heat source other than bearing friction, and its place.
+/// A heat source other than bearing friction, and the place that it heats.
 struct HeatSource {
-  /// Places: shaft and housing heat a span of the part. motor heats shaft and housing between the
-  /// sets. pulley heats the shaft behind the last bearing. seal heats the shaft between the front
-  /// face of the housing and the first bearing. bearing heats the raceways of one bearing. A given
-  /// span replaces the place of motor, pulley and seal.
+  /// Heated place. `shaft` and `housing`: a span of this part. `motor`: shaft and housing between
+  /// the sets. `pulley`: the shaft behind the last bearing. `seal`: the shaft between the front
+  /// face of the housing and the first bearing. `bearing`: the raceways of one bearing. A given
+  /// span replaces the place of `motor`, `pulley` and `seal`.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
-  /// "motor", "drive" or the name of a [[heat]].
+  /// Name of the source: "motor", "drive" or the name of a [[heat]] in the model file.
   std::string name = {};
-  double watts = unset;                                    ///< [W]; NaN: from the formula
-  std::shared_ptr<const record::Expression> formula = {};  ///< formula for [W] with heat_variables
+  double watts = unset;                                    ///< heat flow [W]; NaN: computed from
+                                                           ///< the formula
+  std::shared_ptr<const record::Expression> formula = {};  ///< heat flow [W] as a formula of
+                                                           ///< heat_variables
   double factor = 1.0;                                     ///< factor on the formula [1]
   Place place = Place::shaft;
-  std::size_t bearing = 0;        ///< index in the order of rings_of()
+  std::size_t bearing = 0;        ///< index of the heated bearing, as in rings_of()
   double position = unset;        ///< middle of the span, distance behind the nose face [m]
   double length = unset;          ///< length of the span [m]
-  double radius = unset;          ///< radius of the heated cells; NaN: bore to surface [m]
-  double rotor_diameter = unset;  ///< [m]
+  double radius = unset;          ///< radius of the heated cells [m]; NaN: all cells from the bore
+                                  ///< to the surface
+  double rotor_diameter = unset;  ///< outer diameter of the motor's rotor [m]
   /// Share of a motor's heat that enters the shaft, with the remainder in the housing. For heat at
-  /// a bearing: share of the inner ring, with the remainder in the outer ring [1].
+  /// a bearing: share that enters the inner ring, with the remainder in the outer ring [1].
   double rotor_share = 1.0;
 };
 
-/// Variables of a heat formula, in the units of files.
+/// Variables that a heat formula may contain. Each name ends with the unit.
 inline const std::vector<std::string> heat_variables{"speed_rpm", "axial_load_N", "radial_load_N",
                                                      "moment_Nm", "belt_force_N", "motor_power_W"};
 
@@ -207,21 +216,21 @@ struct Gap {
 /// Place of a thermometer.
 struct ThermometerPlace {
   enum class Part { shaft, ring, housing, coolant };
-  std::string name;  ///< gives the column NAME_temperature_C
+  std::string name;  ///< NAME in the column NAME_temperature_C
   Part part = Part::housing;
   /// Distance behind the nose face [m]. In the coolant, the position is between start and end of
   /// the channel; NaN means the outlet.
   double position = unset;
-  double radius = unset;  ///< [m]
+  double radius = unset;  ///< distance from the shaft axis [m]
 };
 
-/// Bodies and conductances in place of a geometry, for experts and tests.
+/// Thermal network of bodies and conductances that replaces the geometry, for experts and tests.
 struct Network {
   struct Node {
     std::string name;
-    double capacity = unset;     ///< [J/K]; 0 or NaN if `temperature` is given
+    double capacity = unset;     ///< heat capacity [J/K]; 0 or NaN if `temperature` is given
     double temperature = unset;  ///< fixed temperature [K]
-    double heat = 0.0;           ///< [W]
+    double heat = 0.0;           ///< heat flow into the body [W]
   };
   struct Link {
     std::size_t from = 0, to = 0;  ///< indices in `nodes`
@@ -238,17 +247,17 @@ enum class Cells { coarse, medium, fine };
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// True if friction depends on the forces of the warm sets. False if friction depends on the
-  /// forces of the cold sets at the same speed.
+  /// True if friction is computed from the bearing forces of the warm spindle; false: of the cold
+  /// spindle at the same speed.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
-  double bearing_width = unset;                                     ///< [m]
-  double inner_ring_shoulder = unset, outer_ring_shoulder = unset;  ///< diameters [m]
+  double bearing_width = unset;                                     ///< width of one bearing [m]
+  double inner_ring_shoulder = unset, outer_ring_shoulder = unset;  ///< shoulder diameters [m]
   /// Conductance of one bearing through oil film, lubricant and rolling balls, in addition to the
   /// contacts [W/K].
   double lubricant_conductance = unset;
-  /// Share of a bearing's friction power at its inner ring; NaN means that split_heat() gives the
-  /// share.
+  /// Share of a bearing's friction power that heats its inner ring [1]. If the value is NaN,
+  /// split_heat() computes the share.
   double inner_heat_share = unset;
   ShaftBody shaft = {};
   std::vector<RollerOnShaft> rollers = {};
@@ -263,10 +272,11 @@ struct Spindle {
   std::optional<Belt> belt = {};
   std::optional<Gap> gap = {};
   std::vector<ThermometerPlace> sensors = {};
-  std::optional<Network> network = {};  ///< replaces the geometry
+  std::optional<Network> network = {};  ///< thermal network that replaces the geometry
   Cells cells = Cells::medium;
   double step = unset;  ///< longest time step [s]; NaN: adaptive
-  /// Residuals up to these values are attributed to simplifications of the model: [K], [m].
+  /// Residuals of temperatures [K] and of displacements [m] up to these values are attributed to
+  /// simplifications of the model.
   double model_floor_temperature = 0.5, model_floor_displacement = 1 * um;
 
   /// Returns the channels of all circuits, `coolant` first.

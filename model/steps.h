@@ -13,7 +13,8 @@ namespace raceway::model {
 /// measurements even if the load is only assumed, because no ball equilibrium is solved.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
-/// Effects of a model, by the step at which they act. Create this object once for many predictions.
+/// Effects of a model, grouped by the step of the prediction that they change. Create this object
+/// once for many predictions.
 struct Steps {
   /// Indices in Model::effects. `reading` contains the effects on the measured channel.
   std::vector<std::size_t> entry, condition, lubricant, moment, reading;
@@ -29,13 +30,13 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
 /// Returns the first stage that a parameter of the base law (`effect` < 0) or of an effect affects.
 [[nodiscard]] Stage first_stage(const Model& model, const Steps& steps, int effect);
 
-/// Returns the state of one bearing for friction laws and effects, before any effect. `equilibrium`
-/// may be null.
+/// Returns the inputs of friction laws and effects for one bearing, before any effect changes them.
+/// `equilibrium` may be null.
 [[nodiscard]] friction::BearingState<double> bearing_state(
     const Model& model, const bearing::OperatingPoint& point,
     const bearing::BearingEquilibrium* equilibrium);
 
-/// Returns the condition of a bearing in the state `entered`: first `given`, then the changes by
+/// Returns the condition of a bearing with the inputs `entered`: first `given`, then the changes by
 /// the effects of a model. The condition is not finite if an input is unknown. The bearing may
 /// differ from the bearing of the model.
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
@@ -43,17 +44,19 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
                                               const bearing::OperatingPoint& point,
                                               const effects::Record& record,
                                               const effects::Condition& given = {});
-/// Returns the condition of a bearing whose power at the original load is known [W].
+/// Returns the condition of a bearing if the friction power at the original load is known: `power`
+/// [W].
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,
                                               const effects::Record& record,
                                               const effects::Condition& given, double power);
 
-/// Returns true if an effect on the condition uses the power of the base law at the original load.
+/// Returns true if an effect on the condition uses the friction power of the base law at the
+/// original load.
 [[nodiscard]] bool uses_power(const Model& model, const Steps& steps);
-/// Returns the power of the base law at the original load [W]. For the contact law, the balls are
-/// solved first.
+/// Returns the friction power of the base law at the original load [W]. For the contact law, the
+/// balls are solved first.
 [[nodiscard]] double entered_power(const Model& model, friction::BearingState<double> entered,
                                    const bearing::OperatingPoint& point);
 

@@ -9,15 +9,16 @@
 
 namespace raceway::model {
 
-/// Load that a torque depends on, at each row of a record.
+/// Load on which a friction torque depends, with its value in each row of a record.
 struct TorqueLoad {
   const record::Channel* channel = nullptr;
   fit::Surface::Input input;
 };
 
-/// Returns the saturated regression of a friction torque. Each term is the torque times a term of a
-/// cubic polynomial in ln speed, the load and temperature. Further loads, the recorded preload and
-/// ring temperatures enter if they vary, with their squares and products with speed and load.
+/// Returns the saturated regression of a friction torque: a regression with so many terms that its
+/// residuals are noise. Each term is the torque times a term of a cubic polynomial in ln speed, the
+/// load and temperature. Further loads, the recorded preload and ring temperatures add terms if
+/// they vary: the value, its square, and its products with speed and load.
 [[nodiscard]] fit::Saturation torque_saturation(const record::Record& record, TorqueLoad load,
                                                 std::vector<TorqueLoad> further = {});
 
@@ -25,8 +26,8 @@ struct TorqueLoad {
 /// value are first raised to this limit, because a row without load or speed has no logarithm.
 [[nodiscard]] std::vector<double> logarithm(std::vector<double> values);
 
-/// Returns the channel of the temperature if the temperature varies, because its recorded values
-/// scatter.
+/// Returns the channels whose recorded values scatter: the temperature if it varies; otherwise an
+/// empty list.
 [[nodiscard]] std::vector<const record::Channel*> scattering_temperature(
     const record::Record& record);
 

@@ -14,21 +14,21 @@
 
 namespace raceway::session {
 
-/// Returns the uncertainty band of a model's predictions from its fitted parameters. `asked_by` is
-/// the flag or argument that requests the band. `remedy` names the commands that write a model with
-/// a covariance. Both texts appear in the error message. Throws text::InputError if the model file
-/// contains no covariance of its parameters.
+/// Returns the 95 % band of a model's predictions, from the uncertainty of the fitted parameters.
+/// `asked_by` is the flag or argument that requests the band. `remedy` names the commands that
+/// write a model with a covariance. Both texts appear in the error message. Throws text::InputError
+/// if the model file contains no covariance of its parameters.
 [[nodiscard]] model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                                   std::string_view remedy);
 
-/// Describes a band in one sentence.
+/// Returns one sentence that describes a band.
 [[nodiscard]] std::string band_statement(const model::Band& band);
 
 /// Returns the names of the columns that a band adds after all columns of table_columns().
 [[nodiscard]] std::vector<std::string> band_columns(const model::Model& model);
 
-/// Fills the band columns of the given points [SI]. Several threads may call this function at the
-/// same time.
+/// Computes the band columns of the given points and writes them into `out` [SI]. Several threads
+/// may call this function at the same time.
 void fill_band(const model::Model& model, const model::Band& band,
                std::span<const bearing::OperatingPoint> points,
                std::span<friction::TablePoint> out);

@@ -10,10 +10,10 @@
 
 namespace raceway::session {
 
-/// A spindle as a beam on its bearings, for the analysis of deflection and modes.
+/// Shaft of a spindle as an elastic beam on its bearings, for the analysis of deflection and modes.
 struct BeamOfModel {
-  std::vector<double> places;         ///< positions of the bearings of the sets [m]
-  std::vector<double> roller_places;  ///< positions of the roller bearings [m]
+  std::vector<double> places;         ///< distances of the set bearings behind the nose face [m]
+  std::vector<double> roller_places;  ///< distances of the roller bearings behind the nose face [m]
   std::vector<std::string> roller_names;
   spindle::Beam beam;
   spindle::SetsOfSpindle sets;
@@ -24,25 +24,25 @@ struct BeamOfModel {
 /// of the file.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
-/// Computes the bending of the shaft on all its bearings under the belt and nose loads in the
-/// inputs. A further load may act at one node of the beam.
+/// Computes the bending of the shaft on all its bearings under the belt force and the nose loads in
+/// `inputs`. A further load may act at one node of the beam.
 [[nodiscard]] spindle::LoadedShaft bend(const model::Model& model, const BeamOfModel& b,
                                         const spindle::SetsAtSpeed& sets,
                                         const spindle::Inputs& inputs,
                                         const spindle::ShaftLoad* further = nullptr);
 
-/// Returns the tangent stiffness of all bearings. The stiffness of the sets comes from SetsAtSpeed.
-/// The stiffness of the roller bearings is the stiffness in the bent state of the shaft.
+/// Returns the tangent stiffness of all bearings. The stiffness of the sets comes from `sets`. The
+/// stiffness of the roller bearings is valid for the shaft bent as in `bent`.
 [[nodiscard]] std::vector<spindle::Spring> springs_of(
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);
 
-/// Returns true if roller bearings support the shaft or a belt force bends it. Loads at the nose
-/// are not considered.
+/// Returns true if roller bearings support the shaft or a belt force bends it. The result does not
+/// depend on loads at the nose.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
-/// Returns the reason why switching off the coolant has no effect; empty if switching it off has an
-/// effect.
+/// Returns the reason why the option to switch off the coolant has no effect; empty if the option
+/// has an effect.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
 
 /// Returns the inputs of a spindle at a speed, with the external load of the model. The

@@ -8,16 +8,17 @@
 #include "files/catalogue_file.h"
 #include "session/messages.h"
 
-/// Searches the catalogues of effects and bearings.
+/// Functions that search the catalogues of effects and bearings.
 namespace raceway::session {
 
 struct FoundEffects {
   std::vector<effects::Description> effects{};
-  std::vector<correction::EffectCard> of_records{};  ///< effects on a displacement over time
-  bool is_list = true;                               ///< false: one effect, in all its forms
-  std::string own_datum{};  ///< message for an id that is not an effect but a number of the model
+  std::vector<correction::EffectCard> of_records{};  ///< effects for corrections
+  bool is_list = true;                               ///< false: one effect, in its forms for rig,
+                                                     ///< shaft and spindle
+  std::string own_datum{};  ///< message if the id is a value of the model, not an effect
 
-  /// Throws text::InputError with `own_datum` if the id is a number of the model.
+  /// Throws text::InputError with `own_datum` if the id is a value of the model, not an effect.
   [[nodiscard]] std::string json() const;
 };
 
@@ -25,9 +26,9 @@ struct FoundEffects {
 /// effects. Throws text::InputError if no effect matches.
 [[nodiscard]] FoundEffects find_effects(const std::string& asked);
 
-/// Finds the bearings whose name contains `name`. If there are none, finds the bearings of the same
-/// size, with a note. If `bore` or `outer_diameter` [m] is NaN, every value is accepted. Throws
-/// text::InputError if no bearing matches.
+/// Finds the bearings whose name contains `name`. If no name matches, finds the bearings of the
+/// same size and sends a note. If `bore` or `outer_diameter` [m] is NaN, every value is accepted.
+/// Throws text::InputError if no bearing matches.
 [[nodiscard]] std::vector<files::CatalogueBearing> find_bearings(Messages& messages,
                                                                  const std::string& name,
                                                                  double bore,

@@ -14,13 +14,13 @@ namespace raceway::session {
 struct CatalogueConformity {
   std::string bearing{};  ///< full name of the catalogue row
   shaft::ConformityFit fit{};
-  std::string text{};  ///< model with the fitted conformity; empty if not found()
+  std::string text{};  ///< model file with the fitted conformity; empty if not found()
   std::vector<files::NamedFile> files{};  ///< files that the model names
 
   [[nodiscard]] bool found() const;
   /// Returns the reason why no conformity gives the printed rigidities; empty if found().
   [[nodiscard]] std::string problem() const;
-  /// Returns a warning if one conformity does not explain all preload classes.
+  /// Returns a warning if no single conformity gives the rigidities of all preload classes.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string json() const;
 };

@@ -9,18 +9,18 @@
 
 namespace raceway::session {
 
-/// Returns one line on film and friction: "full film (smallest lambda 15.7); largest part: rolling
-/// resistance of the oil, 98 %".
+/// Returns one line that describes film and friction, such as "full film (smallest lambda 15.7);
+/// largest part: rolling resistance of the oil, 98 %".
 [[nodiscard]] std::string judgement(const friction::contact::ContactResult& result);
 
 /// Compares the torque of the contact law with the torque of the same bearing with steel balls at
-/// the same point, and names the loads and moduli that cause the difference. The text is empty for
-/// steel balls, for other laws, for shafts, and at points without equilibrium.
+/// the same point, and names the contact loads and elastic moduli that cause the difference. The
+/// text is empty for steel balls, for other laws, for shafts, and at points without equilibrium.
 [[nodiscard]] std::string balls_statement(const model::Model& model,
                                           const bearing::OperatingPoint& point);
 
 /// Returns notes on a bearing in equilibrium, one line each: a load at which balls may skid, a
-/// gyroscopic moment that friction cannot balance, and a life that the standard does not cover.
+/// gyroscopic moment that friction cannot balance, and a rating life that ISO 281 does not cover.
 [[nodiscard]] std::vector<std::string> notes_on_state(const model::Model& model,
                                                       const bearing::Bearing& bearing,
                                                       const bearing::OperatingPoint& point,

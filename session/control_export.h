@@ -12,33 +12,34 @@ namespace raceway::session {
 
 /// Corrections exported as a program that runs without raceway, or as a table for such a program.
 struct ControlExport {
-  control::ControlPlan plan{};  ///< plan of the export with its notes
+  control::ControlPlan plan{};  ///< corrections to export, with notes
   std::string text{};
   /// For linuxcnc: HAL lines that load the component and connect the axes, and lines that stop it.
   std::string hal{}, hal_shutdown{};
 };
 
-/// Checks the name of the output file. Throws text::InputError for linuxcnc if the file name is not
-/// a valid component name.
+/// Throws text::InputError if the format is linuxcnc and the name of the output file is not a valid
+/// component name.
 void require_control_name(const std::string& format, const std::string& output);
 
-/// HAL files of the component.
+/// Names of the HAL files that start and stop the component of LinuxCNC.
 struct HalFiles {
   std::string start{}, shutdown{};
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
-/// Opens a model file for the export to a control, and adds a check record: `record`, or a
-/// synthetic record if none is given. `model` may also be an exported table. The check record then
-/// comes from the table.
+/// Opens a model file for the export to a machine control, and adds a check record: `record`, or a
+/// synthetic record if `record` is null. `model` may also be an exported table. The check record
+/// then comes from the table.
 ///
-/// Throws text::InputError like the readers, and for a table that is given together with a record.
+/// Throws text::InputError for a file that cannot be read, and for a table that is given together
+/// with a record.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
 /// Throws text::InputError if the trust in the correction of a displacement is `do_not_use`, or if
-/// the plan predicts nothing. The message gives the reason and the flag that allows the export
-/// (--accept-untrusted).
+/// the plan contains no prediction. The message gives the reason and the flag that allows the
+/// export (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
 /// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name; empty or "-"

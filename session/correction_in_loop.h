@@ -7,7 +7,8 @@
 namespace raceway::session {
 
 /// Opens the correction of one displacement for the comparison with measurements. Throws
-/// text::InputError like open_loop_model(), and if the file does not model the displacement.
+/// text::InputError under the conditions of open_loop_model(), and if the file has no correction of
+/// this displacement.
 [[nodiscard]] std::unique_ptr<LoopModel> open_correction(Messages& messages, const Source& file,
                                                          const LoopOptions& options);
 

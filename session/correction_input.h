@@ -15,31 +15,31 @@
 
 namespace raceway::session {
 
-/// Reads a file of corrections and adds notes on it. With Defaults::count, one note gives the
-/// number of default values used. Throws text::InputError like the reader.
+/// Reads a file of corrections and sends notes to `messages`. With Defaults::count, one note gives
+/// the number of default values used. Throws text::InputError for a file that cannot be read.
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
-/// Joins several corrections of one displacement to one file at `path`. The joined file predicts
-/// the sum of the predictions of its parts: see files::join_corrections(). Notes list the parts
-/// that the sum omits.
+/// Joins several corrections of one displacement to one file with the name `path`. The joined file
+/// predicts the sum of the predictions of its parts: see files::join_corrections(). Notes list the
+/// corrections that are not in the sum.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
-/// Reads a time record for all of these models and adds notes on it. Only readings within the
-/// period are used. Isolated readings that jump and return are omitted. If the readings arrive
+/// Reads a time record for all `models` and sends notes to `messages`. Only readings within the
+/// period are used. Isolated readings, which jump and return, are removed. If the readings arrive
 /// `one_by_one`, isolated readings are kept, because the program cannot know the next reading.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
                                          const files::ReadOptions& options,
                                          const Period& period = {}, bool one_by_one = false);
 
-/// All models of a file together with one record.
+/// All corrections of a file together with one record.
 struct SeriesQuestion {
   files::CorrectionFile file{};
   record::Record data{};
 };
-/// Throws text::InputError like open_corrections() and open_series().
+/// Opens both files. Throws the same exceptions as open_corrections() and open_series().
 [[nodiscard]] SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
                                         const Reading& reading,
                                         Defaults defaults = Defaults::count);
@@ -47,16 +47,16 @@ struct SeriesQuestion {
 /// Throws text::InputError if the record has no column of the displacement.
 void require_readings(const correction::Model& model, const record::Record& record);
 
-/// Checks a record before a model is fitted to it. Warns of sensors of the model that are stuck,
-/// jump or never vary. The warnings are also in the notes of the record, and so in the JSON
-/// results. Throws text::InputError if a power leaves the range of a delay element.
+/// Checks a record before a model is fitted to it. Warns of sensors whose readings are stuck, jump
+/// or never vary. The warnings are also in the notes of the record and in the JSON results. Throws
+/// text::InputError if a heating power is outside the range of a delay element.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record);
 
 /// Returns notes on extrapolation when a model runs on a record: inputs outside their range,
-/// combinations of inputs outside the joint range, and powers outside the friction table. Notes on
-/// inputs give the first row and the number of rows; notes on a friction table give the share of
-/// the rows.
+/// combinations of inputs outside the training data, and operating points outside the friction
+/// table. Notes on inputs give the first row and the number of rows; notes on a friction table give
+/// the share of the rows.
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const correction::Series& series,
                                                    const correction::Beyond& beyond);

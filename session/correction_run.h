@@ -26,8 +26,8 @@ struct CorrectionRun {
 /// Runs the corrections on the record. Throws text::InputError if the record is not suitable.
 [[nodiscard]] CorrectionRun correct(SeriesQuestion asked);
 
-/// Settings for learning from the readings of a record. Durations are texts with a unit ("4h"); an
-/// empty text means the default of LearningOptions.
+/// Settings for a correction that learns from the readings of a record. Durations are texts with a
+/// unit ("4h"); an empty text means the default of LearningOptions.
 struct LearningChoices {
   std::string every{}, forget{};
 
@@ -36,7 +36,7 @@ struct LearningChoices {
   void check() const;
 };
 
-/// Results of learning for all corrections of a file.
+/// Results of all corrections of a file that learn from the readings of a record.
 struct LearningRun {
   SeriesQuestion asked{};
   std::vector<results::Learnt> learnt{};  ///< results of each displacement
@@ -49,8 +49,8 @@ struct LearningRun {
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs the corrections and learns from the readings. Throws text::InputError if the record is not
-/// suitable.
+/// Runs the corrections and adapts their zeros and gains to the readings. Throws text::InputError
+/// if the record is not suitable.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

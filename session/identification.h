@@ -19,12 +19,13 @@ namespace raceway::session {
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
   std::string order = "1:3";  ///< number of lags of each channel: "2", or a range, "1:3"
-  /// columns that may be inputs; "all" means every column that varies
+  /// columns that may be inputs of the correction; "all" means every column that varies
   std::vector<std::string> inputs{};
   /// time constants of the lags [s], the same for all channels. With "auto", the program chooses
   /// the time constants. If the list is empty, the time constants are fitted.
   std::vector<std::string> lags{};
-  std::string baseline{};  ///< model to compare with: "regression", "arx" or empty
+  std::string baseline{};  ///< type of model that is fitted for comparison: "regression", "arx" or
+                           ///< empty
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};
 
@@ -36,25 +37,26 @@ struct IdentifyChoices {
 /// Corrections identified from one record, one for each displacement of the file.
 struct Identified {
   SeriesQuestion asked{};
-  std::string baseline{};  ///< model to compare with: "regression" or empty
+  std::string baseline{};  ///< type of model that was fitted for comparison: "regression" or empty
   std::vector<correction::Identification> found{};
-  /// Errors on a record that no fit used, and warnings on this record. `validations` and
-  /// `validation_warnings` are empty before validate().
+  /// Errors on the record of validate(), which no fit used, and warnings on this record. Both lists
+  /// are empty before validate().
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 
-  /// Validates the models on another record. The errors on that record then determine the trust in
-  /// the models: see correction/trust.h.
+  /// Validates the models on another record. The errors on `other` then determine the trust in the
+  /// models: see correction/trust.h.
   void validate(Messages& messages, const Source& other, const Reading& reading);
   [[nodiscard]] std::string json() const;
-  /// Returns the model file with the identified numbers. If a baseline was requested, the file
+  /// Returns the model file with the identified parameters. If a baseline was requested, the file
   /// contains the models of the baseline.
   [[nodiscard]] std::string text() const;
 };
 
 /// Identifies the structure and the parameters of all models. Warnings about sensors are also in
 /// the notes of the record. Throws text::InputError for an unknown input, missing readings, or a
-/// record that does not allow identification. Throws fit::Cancelled when the user cancels.
+/// record that does not allow identification. Throws fit::Cancelled if IdentifyChoices::cancelled
+/// returns true.
 [[nodiscard]] Identified identify(Messages& messages, SeriesQuestion asked,
                                   const IdentifyChoices& choices);
 
@@ -63,16 +65,16 @@ struct ArxModels {
   SeriesQuestion asked{};
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found{};
 
-  /// Model file of transfer functions.
+  /// Model file that contains the ARX models as transfer functions.
   struct Text {
     std::string text{};
     std::vector<record::Note> notes{};
   };
-  /// Returns true if every displacement has a stable order.
+  /// Returns true if every displacement has a stable ARX model.
   [[nodiscard]] bool stable() const;
   [[nodiscard]] std::string json() const;
-  /// Returns the best stable order of each displacement as a model file. Throws text::InputError if
-  /// a displacement has none.
+  /// Returns a model file with the best stable ARX model of each displacement. Throws
+  /// text::InputError if a displacement has no stable model.
   [[nodiscard]] Text text() const;
 };
 

@@ -8,7 +8,8 @@
 namespace raceway::session {
 
 /// Removes isolated readings, which jump and return (fit/isolated_readings.h), from these channels
-/// of a time record. Messages and the notes of the record give the lines of the removed readings.
+/// of a time record. Messages and the notes of the record give the line numbers of the removed
+/// readings.
 void leave_out_isolated(Messages& messages, record::Record& data,
                         const std::vector<const record::Channel*>& channels);
 

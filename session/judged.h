@@ -14,32 +14,32 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Applies model::Judge to results for bearings, shafts and spindles, and rejects inputs outside
-/// the physical range of a bearing.
+/// Compares results with the limits in docs/limits.md, and rejects inputs outside the physical
+/// range of a bearing.
 namespace raceway::session {
 
-/// Judges the mounted model: the contact pressure from the preload, and the interferences in
-/// [seat]. The reader of models rejects a preload that steel cannot carry before this function is
-/// called.
+/// Compares the mounted model with the limits: the contact pressure from the preload, and the
+/// interferences in [seat]. The reader of models rejects a preload that steel cannot carry before
+/// this function is called.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
 /// Returns a note if the interference in [seat] does not change the mounted preload. Returns a
 /// warning if [seat] and the effect interference-fit have different interferences.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
-/// Returns the warnings among the findings as notes.
+/// Returns only the findings with `is_warning`, as warnings.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
-/// Returns all findings as notes. Findings with `is_warning` become warnings.
+/// Returns all findings: findings with `is_warning` as warnings, all others as notes.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
-/// Judges the sets of a shaft.
+/// Compares the results for the bearing sets of a shaft with the limits.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const shaft::ShaftPoint> points,
                                     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Judges the rows of a bearing or shaft table. The names of the columns show where the values are.
-/// Rows of roller bearings are judged by speed only.
+/// Compares the rows of a bearing or shaft table with the limits. The constructor finds the columns
+/// by their names. For roller bearings, only the speed is compared.
 class JudgedColumns {
  public:
   /// The model must live longer than this object.
@@ -61,30 +61,31 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     const friction::StribeckTable& table);
 
-/// Judges steady states of a spindle.
+/// Compares steady states of a spindle with the limits.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const results::SteadyState> states);
 
-/// Judges a spindle over a speed programme. The results of the programme contain no contacts, so
-/// each bearing is solved again under its largest force.
+/// Compares a spindle over a speed programme with the limits. The results of the programme contain
+/// no contacts, so each bearing is solved again under its largest force.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);
 
-/// Judges a bent shaft. Throws text::InputError if the shaft bends too far for beam theory.
+/// Compares a bent shaft with the limits. Throws text::InputError if the slope of the bending line
+/// is too large for beam theory.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 
 /// Returns a note for a result that does not store the states of the bearings. The note says that
-/// states outside the friction table of the spindle are not counted. Models without a friction
-/// table give no note.
+/// states outside the range of the torque table are not counted. A model without a torque table
+/// gives no note.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
-/// Judges speeds only [rad/s].
+/// Compares speeds [rad/s] with the limits of the bearings.
 [[nodiscard]] model::Findings judge_speeds(const model::Model& model,
                                            std::span<const double> speeds);
 
-/// Judges the rows of a record by their speeds and lubricant temperatures.
+/// Compares the speeds and lubricant temperatures in the rows of a record with the limits.
 [[nodiscard]] model::Findings judge(const model::Model& model, const record::Record& record);
 
 /// Throws text::InputError for a speed at which the ring bursts, or for a temperature at which the
@@ -93,8 +94,8 @@ class JudgedColumns {
 void require_possible_speed(const model::Model& model, double speed, const std::string& name);
 void require_possible_temperature(const model::Model& model, double temperature,
                                   const std::string& name);
-/// Checks all rows of a record and reports errors with file and line. An inlet temperature at which
-/// the cooling water is ice or steam is also an error.
+/// Checks all rows of a record and reports errors with file and line. A coolant inlet temperature
+/// at which water freezes or boils is also an error.
 void require_possible(const model::Model& model, const record::Record& record);
 
 }  // namespace raceway::session

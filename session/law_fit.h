@@ -11,7 +11,8 @@
 
 namespace raceway::session {
 
-/// Law of the kinematic displacement, fitted to a measured curve of displacement over speed.
+/// Law of the kinematic displacement, which follows the speed without delay, fitted to a measured
+/// curve of displacement over speed.
 struct LawFit {
   files::DisplacementCurve curve{};
   shaft::KinematicLawFit fit{};

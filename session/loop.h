@@ -15,11 +15,11 @@
 #include "verdict/diagnose.h"
 
 /// Compares a model with measurements, finds the missing effect, and states how much this effect
-/// improves the model, for the command and for Python and C++ programs. The functions accept every
-/// kind of model file.
+/// improves the model, for the command raceway and for Python and C++ programs. The functions
+/// accept every kind of model file.
 namespace raceway::session {
 
-/// A model with its measurements, ready for a fit.
+/// A model with the measurements that a fit or a diagnosis compares with it.
 struct LoopQuestion {
   std::shared_ptr<const LoopModel> model;
   record::Record data{};
@@ -28,14 +28,14 @@ struct LoopQuestion {
   [[nodiscard]] const std::string& source() const { return model->about().source; }
 };
 
-/// Opens the model and the measurements and adds notes on them. Throws text::InputError like
-/// open_loop_model(), LoopModel::read() and LoopModel::for_fit().
+/// Opens the model and the measurements and sends notes to `messages`. Throws the same exceptions
+/// as open_loop_model(), LoopModel::read() and LoopModel::for_fit().
 [[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
                                const std::vector<Source>& data, const LoopOptions& options);
 
-/// Calibrates the model, diagnoses its misfit, adds effects to it, or predicts the readings of the
-/// record. `effects` contains the names that the user typed. The functions throw like the functions
-/// of fit, and text::InputError if the data are not suitable.
+/// These functions calibrate the model, diagnose its misfit, add effects to it, and predict the
+/// readings of the record. `effects` contains the names that the user typed. The functions throw
+/// the exceptions of the functions in fit/, and text::InputError if the data are not suitable.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,
@@ -60,7 +60,8 @@ struct ComparedModels {
   Names names{};  ///< file name of each model
   std::vector<ComparedModel> models{};
 
-  /// Returns the comparisons of each model, by measured channel.
+  /// Returns the errors of each model, one entry for each measured channel:
+  /// errors()[model][channel].
   [[nodiscard]] std::vector<std::vector<verdict::Comparison>> errors() const;
   [[nodiscard]] std::string json() const;
   /// Returns the report as one HTML page.
@@ -68,19 +69,19 @@ struct ComparedModels {
 };
 
 /// Compares each of several models with the same measured rows. The data are read with the column
-/// map and the sensor of the first model. The parameters in `how`, and the parameters that are
-/// separate for each record, are fitted first. Throws text::InputError, for example if the models
-/// are of different kinds.
+/// map and the sensor of the first model. The parameters in `how.refit`, and the parameters that
+/// are separate for each record, are fitted first. Throws text::InputError, for example if one
+/// model is a bearing and another is a correction.
 [[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);
 
-/// Suggests a table [columns] (TOML) that assigns the columns of a data file to channels. For a
-/// file with several corrections, the table covers all of them.
+/// Returns a table [columns] (TOML) that assigns the columns of a data file to channels. For a file
+/// with several corrections, the table contains the channels of all corrections.
 [[nodiscard]] std::string suggested_columns(Messages& messages, const Source& model,
                                             const Source& data, LoopOptions options);
 
-/// Results of checking a model and a record.
+/// Results of `raceway check`: description of a model and its record, with notes.
 struct CheckedModel {
   LoopModel::About model{};
   record::Record data{};

@@ -31,29 +31,29 @@ class LoopModel;
 using LoopModels = std::vector<std::unique_ptr<LoopModel>>;
 using Names = std::vector<std::string>;
 
-/// Part of a model file.
+/// Kind of model to open from a model file.
 enum class Part { any, bearing, correction };
 
-/// Options of a calculation in addition to model and data.
+/// Options of a calibration, diagnosis or comparison, in addition to model and record.
 struct LoopOptions {
   Reading reading{};
   Names per_record{};  ///< parameters that are fitted separately for each record
   bool rows = false;   ///< true keeps each row of a logger; false averages the rows of a dwell
   Tolerance tolerance{};
-  /// Column that selects one part of a file with several parts.
+  /// Measured channel that selects one model from a file with several models.
   std::string channel{};
   Part part = Part::any;
   Defaults defaults = Defaults::count;
-  /// Function that changes a model after reading, called with the model and its position in the
-  /// file; may be empty.
+  /// Function that changes a model after it was read; may be empty. The second argument is the
+  /// index of the model in the file.
   std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
 /// Options for comparing models with a record.
 struct CompareOptions {
   Names refit{};  ///< parameters that are fitted to the record first
-  /// For corrections: error that is subtracted from the predictions of each run, "mean", "first"
-  /// (of the first reading) or "none".
+  /// For corrections: error that is subtracted from the predictions of each run. "mean": the mean
+  /// error; "first": the error of the first reading; "none": nothing.
   std::string zero = "mean";
 };
 
@@ -62,7 +62,8 @@ struct CompareOptions {
 struct FittedTexts {
   Names records{};  ///< names of the records; empty if one model covers all of them
   std::vector<std::string> texts{};
-  /// Names of the data that the file gives as corrected values. The file then has no covariance.
+  /// Names of model data that the fit corrected. If the list is not empty, the file has no
+  /// covariance.
   Names corrected_data{};
   /// Effects in the model that a file cannot express, with their parameters.
   struct OwnEffect {
@@ -75,8 +76,8 @@ struct FittedTexts {
 /// A model compared with a record.
 struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
-  std::vector<verdict::Comparison> errors{};  ///< comparison of each measured channel
-  /// for a correction: the inputs outside the training data
+  std::vector<verdict::Comparison> errors{};  ///< errors of each measured channel
+  /// for a correction: rows with inputs outside the training data
   std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
   /// facts about the model for the report page; empty for a correction
@@ -100,26 +101,26 @@ class LoopModel {
   virtual ~LoopModel() = default;
 
   [[nodiscard]] const About& about() const { return about_; }
-  /// Returns the unchanged model of the file, as a fit::Subject for this record.
+  /// Returns the model of the file without any fit, as a fit::Subject for this record.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written(
       const record::Record& data) const = 0;
 
-  /// Reads measurements for this model and for the models in `compared_with`, and adds notes on the
-  /// data. Several files are joined to one record. Throws text::InputError for data that cannot be
-  /// read.
+  /// Reads measurements for this model and for the models in `compared_with`, and sends notes to
+  /// `messages`. Several files are joined to one record. Throws text::InputError for data that
+  /// cannot be read.
   [[nodiscard]] virtual record::Record read(Messages& messages, const std::vector<Source>& data,
                                             const Reading& reading,
                                             const LoopModels& compared_with = {}) const = 0;
-  /// Prepares the model and the record for a fit. Doubts about inputs appear as messages and in the
-  /// notes of the record. Throws text::InputError if the record does not allow the fit, or if
-  /// `per_record` is not valid.
+  /// Prepares the model and the record for a fit. Notes on doubtful inputs appear as messages and
+  /// in the notes of the record. Throws text::InputError if the record does not allow the fit, or
+  /// if `per_record` is not valid.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> for_fit(
       Messages& messages, record::Record& data, const Names& per_record) const = 0;
-  /// Returns the ids of the effects that the user named. Throws std::invalid_argument if a name is
-  /// ambiguous.
+  /// Returns the ids of the effects whose names the user typed. Throws std::invalid_argument if a
+  /// name is ambiguous.
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
-  /// Adds notes for a comparison with another model, `first`. Throws text::InputError if the two
+  /// Sends notes on the comparison with another model, `first`. Throws text::InputError if the two
   /// models cannot be compared.
   virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
   /// Compares the model with a record, after a fit of the parameters named in `how` and
@@ -127,12 +128,13 @@ class LoopModel {
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
-  /// Returns the properties of a time record that matter for this correction: sampling, noise,
-  /// range of time constants, resolution, and warnings. Empty for models that are not corrections.
+  /// Returns the properties of a time record that limit the quality of this correction: sampling,
+  /// noise, range of time constants, resolution, and warnings. The result is empty for models that
+  /// are not corrections.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 
-  /// Suggests a table [columns] that assigns the columns of a data file to channels.
+  /// Returns a table [columns] (TOML) that assigns the columns of a data file to channels.
   [[nodiscard]] virtual std::string suggested_columns(const Source& data) const = 0;
 
   /// Returns the report as one HTML page.
@@ -148,7 +150,8 @@ class LoopModel {
   About about_;
 };
 
-/// Returns the description of a file with all its parts. Throws text::InputError like the readers.
+/// Returns the description of a file with all its models. Throws text::InputError for a file that
+/// cannot be read.
 [[nodiscard]] LoopModel::About describe(Messages& messages, const Source& file,
                                         const LoopOptions& options);
 
@@ -161,9 +164,9 @@ class LoopModel {
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the requested part of a file and adds notes on it. If there are several such parts,
-/// `place` is the index of the part. Throws text::InputError like the readers and Tolerance, and if
-/// the file has several parts and the options select none.
+/// Opens the model that the options select from a file, and sends notes to `messages`. `place` is
+/// the index among several such models. Throws text::InputError for a file that cannot be read, for
+/// an invalid tolerance, and if the file has several models and the options select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);

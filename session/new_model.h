@@ -21,17 +21,18 @@ struct NewModel {
   /// and palmgren otherwise.
   std::string law{};
   bool spindle = false;  ///< true: three of these bearings in a spindle; false: one on a rig
-  std::string oil{};     ///< ISO VG grade (files/oil_grade.h); empty: a thin spindle oil
+  std::string oil{};     ///< ISO VG grade such as "VG 32" (files/oil_grade.h); empty: a thin
+                         ///< spindle oil
 };
 
 /// Returns a commented model file with the default values of its law. Throws text::InputError if
-/// the bearing is neither in the catalogue nor described, or if the description does not suit the
-/// bearing, the law or a spindle.
+/// the bearing is not in the catalogue and `outline` does not describe it, or if the description
+/// does not suit the bearing, the law or a spindle.
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
 /// Returns a commented correction model for the displacements of a time record, with a channel for
 /// each temperature (files/new_correction.h). Implausible readings in the record give warnings.
-/// Throws text::InputError like the reader, and for a record without a displacement.
+/// Throws text::InputError for a record that cannot be read or that has no displacement.
 [[nodiscard]] std::string new_correction_text(Messages& messages, const Source& data,
                                               const Reading& reading);
 

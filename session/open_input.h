@@ -16,48 +16,49 @@ namespace raceway::session {
 /// Kinds of model that a command accepts.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// `count` adds a note with the number of default values in a model. `keep` adds no such note: use
-/// `keep` for a command that lists the defaults, and if the same model is opened again.
+/// Treatment of default values in a model. `count` adds a note with the number of default values.
+/// `keep` adds no note; use it if the command lists the default values or opens the model again.
 enum class Defaults { count, keep };
 
 /// Sends notes on a file as messages. Each text begins with the name of the file.
 void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
 
-/// Reads a model and adds notes on it. With Defaults::count, one note gives the number of default
-/// values used. Throws text::InputError if the command does not accept this kind of model.
+/// Reads a model and sends notes to `messages`. With Defaults::count, one note gives the number of
+/// default values used. Throws text::InputError if the command does not accept this kind of model.
 [[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
                                           Accepts accepts = Accepts::rig,
                                           Defaults defaults = Defaults::count);
 
-/// Throws text::InputError for a model without an arrangement.
+/// Throws text::InputError for a model without bearing sets on a shaft ([arrangement]).
 void require_shaft(const files::ModelFile& file);
 
-/// Returns facts about the model of a file for a report page, with the numbers of the model `used`.
+/// Returns the description of a model for a report page. The file gives the texts, and the model
+/// `used` gives the values.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
-/// Warns if the file gives data of the bearing or the solver that the friction law does not use.
-/// Such data have no effect on the friction torque.
+/// Warns if the file gives keys of the bearing or the solver that do not change the friction
+/// torque, because the friction law does not use them.
 void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
-/// Reads measurements for a model. The speeds of a coast-down are converted to torques. Notes and
-/// doubts appear as messages and in the notes of the record.
+/// Reads measurements for a model. For a coast-down, the friction torques are computed from the
+/// speeds. Notes on the data appear as messages and in the notes of the record.
 [[nodiscard]] record::Record open_data(Messages& messages, const Source& data,
                                        const model::ModelSubject& subject,
                                        const files::ReadOptions& options);
 
-/// Reads one or several files and joins them to one record, otherwise like open_data(). Each file
-/// must be suitable for the model. `model` is the file name in messages.
+/// Reads one or several files like open_data(), and joins them to one record. Each file must be
+/// suitable for the model. `model` is the file name in messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,
                                           const files::ReadOptions& options);
 
-/// Rethrows an error of `fit` about the data as text::InputError, with the names of the record and
-/// of the model before the message.
+/// Throws text::InputError with the message of `error`. The names of the record and of the model
+/// precede the message.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 
-/// Adds a message to a result if the torques of the record have an unknown scale factor.
+/// Adds a note if all torques of the record have one unknown scale factor.
 void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages);
 
 }  // namespace raceway::session

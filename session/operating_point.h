@@ -11,12 +11,12 @@
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
 
-/// Builds the requested operating points: takes missing values from the model, and checks ranges
-/// and the loads of a shaft. All numbers are in the units of files.
+/// Builds operating points from requested values in the units of files. Missing values come from
+/// the model. The ranges and the loads of a shaft are checked.
 namespace raceway::session {
 
-/// Requested operating point. NaN stands for the value of the model: axial load (on a shaft the
-/// external axial load), radial load and temperature of the rig. A moment that is NaN is 0.
+/// Requested operating point. A NaN load or temperature is replaced by the value of the model. On a
+/// shaft, the axial load is the external axial load. A NaN moment is 0.
 struct AskedPoint {
   double speed_rpm = unset, axial_load_N = unset, radial_load_N = unset, temperature_C = unset,
          moment_y_Nmm = unset, moment_z_Nmm = unset;
@@ -25,10 +25,10 @@ struct AskedPoint {
 /// Returns the loads and the temperature of a model as an operating point without a speed. The
 /// axial load is NaN if the model has no axial load.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model);
-/// Returns the operating point with the requested values, and with values of the model for NaN.
+/// Returns the operating point with the requested values. Values of the model replace NaN.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);
 
-/// Loads that the request gives.
+/// States for each load if the request gives it.
 struct GivenLoads {
   bool axial_load = false;
   bool acting_axial_load = false;  ///< true for an axial load other than 0
@@ -36,28 +36,28 @@ struct GivenLoads {
 };
 
 /// Throws text::InputError if neither the request nor the model gives an axial load, or if a shaft
-/// or a roller bearing does not accept a load. Warns of moments that have no effect.
+/// or a roller bearing does not accept a load. Adds a warning for moments that have no effect.
 void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording);
 
-/// Returns the requested point after checking the ranges of its numbers. Throws text::InputError
-/// like require_loads(), and for a number out of its range.
+/// Returns the requested operating point. Throws text::InputError under the conditions of
+/// require_loads(), and for a value outside its range.
 [[nodiscard]] bearing::OperatingPoint operating_point(Messages& messages,
                                                       const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
 
-/// Axes of a table, each with values in ascending order. An empty axis has the single value of the
-/// model.
+/// Axes of a table, each with values in ascending order. An empty axis stands for the single value
+/// of the model.
 struct AskedAxes {
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
 };
 
-/// Throws text::InputError like operating_point(), for a missing speed, and for an axis whose
-/// values are not in ascending order.
+/// Returns the axes of a table [SI]. Throws text::InputError under the conditions of
+/// operating_point(), for a missing speed, and for an axis whose values are not in ascending order.
 [[nodiscard]] friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
                                              const AskedAxes& asked, Wording wording);
 
-/// Returns operating points as points of a shaft.
+/// Converts operating points of a bearing to operating points of a shaft.
 [[nodiscard]] std::vector<shaft::ShaftPoint> shaft_points(
     std::span<const bearing::OperatingPoint> points);
 

@@ -7,15 +7,15 @@
 
 namespace raceway::session {
 
-/// Period of a time record whose readings are used, as times since the first row: `--from 20h` and
-/// `--until 24h`. The model still uses the inputs of rows outside the period.
+/// Period of a time record whose readings a fit uses. `from` and `until` are times since the first
+/// row: `--from 20h`, `--until 24h`. The model still uses the inputs of rows outside the period.
 struct Period {
   std::string from, until;
 
   [[nodiscard]] bool is_given() const { return !from.empty() || !until.empty(); }
-  /// Removes readings of these displacements outside the period, and adds a note with the number of
-  /// remaining readings. Throws text::InputError for a text that is not a duration, and if no
-  /// reading remains.
+  /// Removes readings of these displacements outside the period, and adds a note to the record with
+  /// the number of remaining readings. Throws text::InputError for a text that is not a duration,
+  /// and if no reading remains.
   void apply(record::Record& record, const std::vector<const record::Channel*>& measured) const;
 };
 

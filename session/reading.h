@@ -14,16 +14,16 @@ struct Reading {
   std::string columns{};
   std::string columns_text{};  ///< text of the column map, used instead of its file
   bool drop_nan = false;
-  std::vector<std::string> beside{};  ///< further files of the same time record
+  std::vector<std::string> beside{};  ///< further files with columns of the same time record
   Period period{};                    ///< period of readings; only for time records
   bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown
 
   /// Returns the data files, joined with the files of --beside. Throws text::InputError if --beside
   /// is given together with several data files.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
-  /// Returns the options for reading measurements: with the column map of the flag, otherwise with
-  /// [columns] of the model. Throws text::InputError if a period is given, because only corrections
-  /// accept a period.
+  /// Returns the options for reading measurements. The column map comes from the flag `--columns`
+  /// or, without the flag, from [columns] of the model. Throws text::InputError if a period is
+  /// given, because only corrections accept a period.
   [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;
   [[nodiscard]] files::ReadOptions options(const files::ColumnMap& of_model) const;
   /// Returns the options for reading without a model.

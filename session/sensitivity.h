@@ -12,15 +12,16 @@
 #include "session/wording.h"
 #include "spindle/spindle.h"
 
-/// Computes the sensitivity of predictions to the data of a model.
+/// Computes the sensitivity of predictions to the input values of a model. A datum is one such
+/// value.
 namespace raceway::session {
 
 struct SensitivityQuestion {
-  /// Predictions as words ("torque") or column names. An empty list means the torque of a bearing
-  /// and the displacement of a shaft or spindle.
+  /// Predictions as words ("torque") or column names. An empty list means the torque of a bearing,
+  /// or the displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
-  /// Operating points: all combinations of these values. Speeds are required. If another list is
-  /// empty, the value of the model is used.
+  /// Operating points: all combinations of these values. Speeds are required. For an empty list of
+  /// loads or temperatures, the value of the model is used.
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< true: steady state of the whole spindle at each speed
   bool coolant_on = true;
@@ -28,44 +29,45 @@ struct SensitivityQuestion {
   /// If `inputs` is empty, the model gives these values.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
-  /// Names of the data to vary; the name of a table includes all its data. An empty list means all
-  /// data.
+  /// Names of the data to vary. The name of a table in the model file means all its data. An empty
+  /// list means all data.
   std::vector<std::string> data{};
-  std::size_t samples = 0;  ///< number of samples for the global indices; 0: no indices
+  std::size_t samples = 0;  ///< number of samples for the Sobol' indices; 0: no indices
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;
   /// Function that changes the model after reading, for questions that a model file cannot express.
   std::function<void(files::ModelFile&)> amend{};
   const std::atomic<bool>* cancelled = nullptr;
-  std::function<void(double)> progress{};  ///< receives the finished share
+  std::function<void(double)> progress{};  ///< receives the finished share of the work, 0 to 1
 };
 
-/// Returns the predictions that can be requested from a model: each word with its column.
+/// Returns the predictions that can be requested from a model, as pairs of a word and its column
+/// name.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> sensitivity_words(
     const model::Model& model, bool steady);
 
 /// Returns the derivative of each requested prediction with respect to each varied datum and, on
 /// request, the Sobol' indices.
 ///
-/// The derivative is the central difference at two steps, h and h/2, extrapolated: (4 D(h/2) -
-/// D(h))/3. The difference is one-sided if the model rejects values on the other side. The step h
-/// is 0.1 % of the datum, or 0.1 K for a temperature. For steady states of a spindle, the step is
-/// ten times larger, because a steady state is found by iteration. The step of a count is 1, and
-/// there is no second step.
+/// The derivative is (4 D(h/2) - D(h))/3, where D(h) is the central difference with step h. The
+/// difference is one-sided if the model rejects values on the other side. The step h is 0.1 % of
+/// the datum, or 0.1 K for a temperature. For steady states of a spindle, the step is ten times
+/// larger, because a steady state is found by iteration. For an integer datum such as the number of
+/// balls, the step is 1, and there is no second step.
 ///
-/// The spreads come from `question`. If a spread is not given, the spread of a fitted number is
+/// The spreads come from `question`. If a spread is not given, the spread of a fitted parameter is
 /// sqrt(3) times its standard error. This is half the width of a uniform distribution whose
-/// standard deviation is the standard error. All other data use 1 % of the value, 1 K for a
-/// temperature and 1 for a count. Global samples are uniform between value - spread and value +
-/// spread and independent of each other.
+/// standard deviation is the standard error. For all other data, the spread is 1 % of the value, 1
+/// K for a temperature and 1 for an integer. Global samples are uniform between value - spread and
+/// value + spread and independent of each other.
 ///
 /// Points are solved on all cores. The results do not depend on the number of cores or on the order
-/// of the points. Throws text::InputError for an invalid question. Throws fit::Cancelled if
-/// `cancelled` is set during the calculation.
+/// of the points. Throws text::InputError for an unknown prediction or datum or a value outside its
+/// range. Throws fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] results::Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
                                                const SensitivityQuestion& question);
 
-/// Returns the text of a state: "speed_rpm 6000, axial_load_N 300".
+/// Returns the text of one operating point: "speed_rpm 6000, axial_load_N 300".
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
 /// Returns one warning for each prediction without a value, and one warning if samples have no

@@ -20,9 +20,9 @@ struct CalibratedSensor {
   [[nodiscard]] std::string text() const;
 };
 
-/// Fits the curve of a sensor. If no degree is given, uses the lowest degree that fits the
-/// readings. Throws text::InputError for a file that cannot be read and for readings that do not
-/// determine the curve.
+/// Fits a polynomial to the readings of a torque sensor. If no degree is given, uses the lowest
+/// degree that fits the readings. Throws text::InputError for a file that cannot be read and for
+/// readings that do not determine the curve.
 [[nodiscard]] CalibratedSensor calibrate_sensor(Messages& messages, const Source& readings,
                                                 const Reading& reading, std::optional<int> degree);
 

@@ -10,10 +10,10 @@
 
 namespace raceway::session {
 
-/// Returns warnings if bearings of a shaft lose their inner contacts or if their load is below the
-/// minimum load. Each warning gives the range of speeds. The ends of the range are calculated
-/// between the points, with an accuracy of half an rpm. The points must be in order of rising
-/// speed.
+/// Returns warnings if balls of a bearing on the shaft lose contact with the inner ring, or if a
+/// load is below the minimum load. Each warning gives the range of speeds. The ends of the range
+/// are calculated between the points, with an accuracy of half an rpm. The points must be in order
+/// of rising speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);
@@ -22,7 +22,7 @@ namespace raceway::session {
 [[nodiscard]] std::string shaft_problem(const model::Model& model,
                                         const shaft::ShaftPrediction& prediction);
 
-/// Returns the uncertainty band of position, torque and loss at every point.
+/// Returns the half widths of the 95 % band of position, torque and power loss at every point.
 [[nodiscard]] results::BandOfResult shaft_band(const model::Band& band,
                                                std::span<const shaft::ShaftPoint> points);
 

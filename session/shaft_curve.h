@@ -16,7 +16,8 @@
 
 namespace raceway::session {
 
-/// Request for the position of a shaft at several speeds. NaN stands for the value of the model.
+/// Request for the position of a shaft at several speeds. A load or temperature that is NaN is
+/// replaced by the value of the model.
 struct CurveQuestion {
   std::vector<double> speed_rpm{};
   double axial_load_N = unset, temperature_C = unset;
@@ -24,19 +25,19 @@ struct CurveQuestion {
   Wording wording = Wording::arguments;
 };
 
-/// Position of a shaft at several speeds. The object has a reference to the model file, which must
-/// live longer than the object.
+/// Axial position of a shaft at several speeds. The model file must live longer than the object,
+/// which refers to it.
 class ShaftCurve {
  public:
-  /// Throws text::InputError like operating_point(), for a model without a shaft, and for more than
-  /// a million speeds.
+  /// Throws text::InputError under the conditions of operating_point(), for a model without a
+  /// shaft, and for more than a million speeds.
   ShaftCurve(Messages& messages, const files::ModelFile& file, const CurveQuestion& question);
 
   [[nodiscard]] const std::vector<shaft::ShaftPoint>& points() const { return points_; }
   [[nodiscard]] const std::vector<shaft::ShaftPrediction>& predictions() const {
     return predictions_;
   }
-  /// Returns the sets as mounted.
+  /// Returns the bearing sets as mounted, at standstill.
   [[nodiscard]] bearing::Arrangement mounted() const {
     return shaft::mounted_arrangement(file_->model);
   }
@@ -44,8 +45,8 @@ class ShaftCurve {
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
   /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
-  /// Returns one warning for each exceeded limit, with the worst speed, and warnings of unloaded
-  /// bearings and of speeds without a value.
+  /// Returns one warning for each exceeded limit, with the worst speed. Further warnings name
+  /// unloaded bearings and speeds without a result.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;

@@ -18,14 +18,14 @@ namespace raceway::session {
 /// Results at one operating point, for one bearing or for the sets of a shaft.
 struct PointAnswer {
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
-  /// Friction results of one bearing. All results are unset if the point has no equilibrium.
+  /// Friction results of one bearing. If the point has not converged, all results are NaN.
   model::FrictionPrediction friction{};
   /// Ball equilibrium with a report of the solver. The equilibrium of cylindrical rollers is in
   /// `friction`.
   bearing::BearingEquilibrium equilibrium{};
   friction::HeatSplit heat{};
   std::optional<shaft::ShaftPrediction> shaft{};  ///< for a shaft, instead of the members above
-  std::optional<results::BandOfResult> band{};    ///< half widths of the band, if requested
+  std::optional<results::BandOfResult> band{};    ///< half widths of the 95 % band, if requested
   model::Findings findings{};                     ///< limits that the answer exceeds
   std::string why{};                              ///< if not converged: the point and the reason
 
@@ -42,9 +42,9 @@ struct PointAnswer {
                                      const bearing::OperatingPoint& point,
                                      const PointAnswer& answer);
 
-/// Returns notes on an answer: the findings, and the notes on loads and contacts of the bearings.
-/// Findings with `is_warning`, unloaded bearings of a shaft, and contact ellipses that reach over a
-/// shoulder give warnings.
+/// Returns notes on the results at one point: the exceeded limits, and notes on loads and contacts
+/// of the bearings. Findings with `is_warning`, unloaded bearings of a shaft, and contact ellipses
+/// that extend over a shoulder give warnings.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

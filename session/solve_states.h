@@ -13,9 +13,9 @@
 
 namespace raceway::session {
 
-/// Array of the caller, read in place. Each stride is the number of bytes from one number to the
-/// next along one dimension; 0 repeats the number along this dimension. If there are no data, the
-/// value of the model is used.
+/// Array of doubles of the caller, read without a copy. Each stride is the number of bytes from one
+/// double to the next along one dimension; 0 repeats the double along this dimension. If `data` is
+/// null, the value of the model is used.
 struct NumberArray {
   const char* data = nullptr;
   std::vector<std::ptrdiff_t> strides{};
@@ -25,33 +25,34 @@ struct NumberArray {
 
 /// Operating points as arrays of one shape, in the units of files.
 struct StateArrays {
-  std::vector<std::size_t> shape;  ///< empty: one state
+  std::vector<std::size_t> shape;  ///< shape of the arrays; empty: one state
   NumberArray speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{}, moment_y_Nmm{},
       moment_z_Nmm{};
 
   [[nodiscard]] std::size_t size() const;
 };
 
-/// Results of states in the order of the given arrays. The last dimension varies fastest.
+/// Results of states, in the order of the states in the input arrays: the last dimension varies
+/// fastest.
 struct SolvedStates {
   std::vector<std::string> columns;  ///< names with their units; friction_torque_Nmm is the first
-  std::vector<double> values;        ///< values column by column; NaN for a missing value
+  std::vector<double> values;        ///< [columns x states]; NaN for a missing value
   std::vector<bearing::SolveStatus> status;
 };
 
-/// Returns the columns of solve_states() for a model.
+/// Returns the columns of solve_states() for a model, without band columns.
 [[nodiscard]] std::vector<std::string> state_columns(const model::Model& model);
 
 /// Solves a bearing or the sets on a shaft at many states on all cores. On a shaft, axial loads are
-/// external loads. The results of a state do not depend on the number of threads or on the other
-/// states.
+/// external loads. The results of a state do not depend on the number of threads or on any other
+/// state.
 ///
-/// `columns` lists the requested columns; empty means all. If `band` is given, the columns of the
-/// band follow (band_columns()). Loads and temperatures that are not given come from the model.
-/// Throws text::InputError for a missing speed or load, for a number out of its range (with its
-/// place in the array), for an unknown column, and for radial loads or moments on a shaft. Throws
-/// fit::Cancelled if `cancelled` is set during the calculation. The function needs memory for the
-/// returned arrays and for one block of states per thread.
+/// `columns` lists the requested columns; an empty list means all columns. If `band` is given, the
+/// columns of the band follow (band_columns()). Loads and temperatures that are not given come from
+/// the model. Throws text::InputError for a missing speed or load, for a number out of its range
+/// (with its place in the array), for an unknown column, and for radial loads or moments on a
+/// shaft. Throws fit::Cancelled if `cancelled` is set during the calculation. The function needs
+/// memory for the returned arrays and for one block of states per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
@@ -66,16 +67,16 @@ struct SolvedStates {
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);
 
-/// Returns the operating point of arrays with one number each. Throws the same exceptions as
-/// solve_states(), and throws for more than one number.
+/// Returns the operating point of arrays that contain a single state. Throws the same exceptions as
+/// solve_states(), and text::InputError for more than one state.
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile& file,
                                                    const StateArrays& states);
 
 /// Predicted readings of a rig: the friction torque of all bearings, with the effects on the
 /// sensor.
 struct PredictedStates {
-  std::vector<double> reading_Nmm;           ///< NaN for a state without a reading
-  std::vector<bearing::SolveStatus> status;  ///< `not_finite` if only the reading is not a number
+  std::vector<double> reading_Nmm;           ///< [states]; NaN for a state without a prediction
+  std::vector<bearing::SolveStatus> status;  ///< [states]; `not_finite` if only the reading is NaN
 };
 
 /// Predicts the readings of a rig at many states. The function computes no other columns. The

@@ -17,19 +17,19 @@ inline constexpr text::NumberRange at_range{0.0, 1e5, "mm"};
 inline constexpr text::NumberRange moment_load_range{-1e5, 1e5, "N m"};
 
 struct DeflectionQuestion {
-  double force = 0.0;  ///< [N]; an axial force is positive towards the tool
+  double force = 0.0;  ///< radial or axial force [N]; an axial force is positive towards the tool
   bool axial = false;  ///< true: the force is axial; false: it is radial
   /// axial force in addition to a radial force, positive towards the tool [N]
   double axial_force = 0.0;
-  /// moment at the place of the force [N m]; a positive moment turns the shaft in the same
-  /// direction as a positive radial force nearer to the tool
+  /// moment at the position of the force [N m]; a positive moment turns the shaft in the same
+  /// direction as a positive radial force at a position nearer to the tool
   double moment = 0.0;
   double at = 0.0;         ///< distance of the force behind the nose face [m]
-  double speed = 0.0;      ///< [rad/s]
+  double speed = 0.0;      ///< shaft speed [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
   bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
-  Wording wording = Wording::arguments;          ///< names of arguments in error messages
-  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
+  Wording wording = Wording::arguments;          ///< selects the argument names in error messages
+  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
 /// Throws text::InputError if `force` and `moment` are both zero, and if an axial force is given
@@ -54,8 +54,8 @@ struct SpindleDeflection {
   [[nodiscard]] std::string page() const;
 };
 
-/// Computes the deflection. Throws text::InputError like check(), for a model without shaft
-/// segments, and for a shaft that bends too far for beam theory.
+/// Computes the deflection. Throws text::InputError under the conditions of check(), for a model
+/// without shaft segments, and for a shaft that bends too far for beam theory.
 [[nodiscard]] SpindleDeflection spindle_deflection(const files::ModelFile& file,
                                                    const DeflectionQuestion& question);
 

@@ -13,16 +13,19 @@
 namespace raceway::session {
 
 struct ModesQuestion {
-  std::vector<double> speeds{};  ///< [rad/s]
-  bool warm = false;             ///< true: uses the bearings of the warm spindle at steady state
+  std::vector<double> speeds{};  ///< shaft speeds [rad/s]
+  bool warm = false;             ///< true: uses the bearing stiffness of the warm spindle at steady
+                                 ///< state
   bool coolant_on = true;        ///< true: the coolant of the warm spindle is on
   int count = 6;
   double damping_ratio = unset;                   ///< damping ratio assigned to every mode [1]
-  std::optional<spindle::Unbalance> unbalance{};  ///< unbalance for the path of the nose
-  const std::atomic<bool>* cancelled = nullptr;   ///< true ends the work with fit::Cancelled
+  std::optional<spindle::Unbalance> unbalance{};  ///< unbalance for which the whirl of the nose is
+                                                  ///< computed
+  const std::atomic<bool>* cancelled = nullptr;   ///< if true, the calculation throws
+                                                  ///< fit::Cancelled
 };
 
-/// Modes of a shaft on its bearings as functions of speed.
+/// Natural vibration modes of a shaft on its bearings, at several speeds.
 struct SpindleModes {
   files::ModelFile file;
   BeamOfModel beam;

@@ -14,19 +14,19 @@
 
 namespace raceway::session {
 
-/// Question for the simulation of a spindle over a speed programme.
+/// Request for the simulation of a spindle over a speed programme.
 struct RunQuestion {
-  Source programme;  ///< CSV with time_s, speed_rpm and further known columns
+  Source programme;  ///< CSV with time_s, speed_rpm and further columns
   Reading reading{};
-  /// initial temperatures; without them, all parts start at ambient temperature
+  /// file of initial temperatures; without this file, all parts start at ambient temperature
   std::optional<Source> start{};
   /// ambient temperature of every row [K]; NaN means the value of the programme, or the value of
   /// the model if the programme has none
   double ambient_temperature = unset;
   bool coolant_on = true;                        ///< false switches the coolant off in every row
   bool mesh = true;                              ///< true adds an estimate of the mesh error
-  bool assumptions = false;                      ///< true adds the most influential assumed numbers
-  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
+  bool assumptions = false;                      ///< true adds the most influential assumed values
+  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the simulation throws fit::Cancelled
 };
 
 struct SpindleRun {
@@ -37,9 +37,9 @@ struct SpindleRun {
   std::optional<spindle::State> start{};
   spindle::Run run{};
   results::MeshEstimate mesh{};
-  /// most influential assumed numbers, at the steady state of the highest speed
+  /// most influential assumed values of the model, at the steady state of the highest speed
   results::Assumptions assumptions{};
-  std::vector<spindle::FieldCell> field{};  ///< temperature field at the end
+  std::vector<spindle::FieldCell> field{};  ///< temperature of each cell at the end
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }

@@ -14,13 +14,14 @@ namespace raceway::session {
 /// Throws text::InputError if the model does not describe a spindle.
 void require_spindle(const files::ModelFile& file);
 
-/// Builds the simulator. Throws text::InputError with the file name if the spindle cannot be
-/// mounted or meshed.
+/// Builds the simulator of a spindle. Throws text::InputError with the file name if the spindle
+/// cannot be mounted or meshed.
 [[nodiscard]] spindle::Simulator simulator_of(const files::ModelFile& file);
 
 /// Estimates the mesh error by comparing two steady states: with the mesh of the model and with the
-/// next finer mesh. The finest mesh is compared with the next coarser mesh. The estimate is empty
-/// for a network, and if one of the two states does not exist.
+/// next finer mesh. If the mesh of the model is the finest mesh, it is compared with the next
+/// coarser mesh. The estimate is empty for a thermal network, and if one of the two steady states
+/// was not found.
 [[nodiscard]] results::MeshEstimate mesh_estimate(const model::Model& model,
                                                   const spindle::Inputs& inputs,
                                                   const std::atomic<bool>* cancelled = nullptr);
@@ -28,18 +29,18 @@ void require_spindle(const files::ModelFile& file);
 [[nodiscard]] std::string words(const results::MeshEstimate& mesh);
 
 struct SteadyQuestion {
-  std::vector<double> speeds{};        ///< [rad/s]
-  double ambient_temperature = unset;  ///< [K]; NaN: value of the model
+  std::vector<double> speeds{};        ///< shaft speeds [rad/s]
+  double ambient_temperature = unset;  ///< ambient temperature [K]; NaN: value of the model
   bool coolant_on = true;
-  /// load at the nose, positive towards the tool [N]; NaN means the value of the model
+  /// axial load at the nose, positive towards the tool [N]; NaN means the value of the model
   double axial_load = unset;
-  double radial_load = 0.0;    ///< load at the nose in the direction of y [N]
+  double radial_load = 0.0;    ///< radial load at the nose, in the direction of y [N]
   double moment = 0.0;         ///< moment at the nose [N m]; positive if it turns the shaft like a
-                               ///< positive force in front of the nose
-  double belt_force = unset;   ///< [N]; NaN: value of the model
+                               ///< positive radial force in front of the nose
+  double belt_force = unset;   ///< pull of the belt [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
-  bool assumptions = false;    ///< true adds the most influential assumed numbers
-  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
+  bool assumptions = false;    ///< true adds the most influential assumed values to the results
+  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
 /// Steady states, one for each speed.
@@ -48,11 +49,11 @@ struct SteadySpindle {
   std::vector<results::SteadyState> states{};
   std::vector<std::string> roller_notes{};  ///< notes on roller bearings
   results::MeshEstimate mesh{};
-  /// most influential assumed numbers, at the last speed with a steady state
+  /// most influential assumed values of the model, at the last speed with a steady state
   results::Assumptions assumptions{};
   model::Findings findings{};
-  spindle::State end{};  ///< steady state of the last speed; empty if it does not exist
-  std::vector<spindle::FieldCell> field{};  ///< temperature field of the last speed, cell by cell
+  spindle::State end{};  ///< steady state of the last speed; empty if it was not found
+  std::vector<spindle::FieldCell> field{};  ///< temperature of each cell at the last speed
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;

@@ -23,21 +23,22 @@ namespace raceway::session {
 inline constexpr text::NumberRange step_hours_range{0.1, 1000.0, "h"};
 
 struct StepQuestion {
-  std::vector<double> speeds{};  ///< [rad/s], rising
-  /// Load steps at the nose [N], rising. Each load is applied at every speed of `load_speeds`; if
-  /// that list is empty, at all speeds.
+  std::vector<double> speeds{};  ///< speeds in rising order [rad/s]
+  /// Load steps at the nose, in rising order [N]. Each load is applied at every speed of
+  /// `load_speeds`, or at all speeds if `load_speeds` is empty.
   std::vector<double> axial_loads{}, radial_loads{};
-  std::vector<double> load_speeds{};  ///< [rad/s], rising
+  std::vector<double> load_speeds{};  ///< in rising order [rad/s]
   double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
-  Wording wording = Wording::arguments;          ///< names of arguments in errors and notes
-  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
+  Wording wording = Wording::arguments;          ///< selects the argument names in messages
+  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
-/// Step responses of a spindle, simulated or read, with the laws K(P) and T(P) for all of them.
+/// Responses of a spindle to steps of speed or load, simulated or read from a file. K(P) is the
+/// gain and T(P) the time constant over the power P.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
-  std::string source{};                    ///< description of the origin
+  std::string source{};                    ///< name of the file that gave the responses
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
   std::vector<record::Note> notes{};
@@ -52,15 +53,16 @@ struct SpindleSteps {
   /// Returns a warning with the reason for each step without a response.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
-  /// Returns the step responses as JSON. `error` is the error of a correction over a programme;
-  /// null if it was not requested.
+  /// Returns the step responses as JSON. `error` is the result of superposition_of_steps(), or
+  /// null.
   [[nodiscard]] std::string json(const results::Superposition* error = nullptr) const;
   [[nodiscard]] std::string page(const results::Superposition* error = nullptr,
                                  const std::string& programme = {}) const;
 };
 
 /// Simulates the steps. Throws text::InputError if no speed is above 0, for too many speeds, and
-/// for `load_speeds` without a load. Throws std::invalid_argument if the model is not a spindle.
+/// for `load_speeds` without a load step. Throws std::invalid_argument if the model is not a
+/// spindle.
 [[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
@@ -73,10 +75,11 @@ struct SpindleSteps {
 
 /// Options for a correction made from step responses.
 struct StepCorrectionQuestion {
-  std::string law = "curve";             ///< form of K and T: "curve", "power" or "line"
-  std::string lags = "auto";             ///< number of delay elements: "one", "two" or "auto"
-  Wording wording = Wording::arguments;  ///< names of arguments in notes
-  const std::atomic<bool>* cancelled = nullptr;  ///< true ends the work with fit::Cancelled
+  std::string law = "curve";                     ///< form of K(P) and T(P): "curve", "power" or
+                                                 ///< "line"
+  std::string lags = "auto";                     ///< number of lags: "one", "two" or "auto"
+  Wording wording = Wording::arguments;          ///< selects the argument names in notes
+  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
 /// Returns the correction from the step responses. Throws std::invalid_argument if the step
@@ -87,8 +90,8 @@ struct StepCorrectionQuestion {
 /// Returns the names of the correction channels for the requested load steps.
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
-/// Compares a correction from step responses with the full simulation over a programme of speeds
-/// and loads. The programme is read as a spindle record. Throws std::invalid_argument like
+/// Compares a correction from step responses with the full simulation of the spindle over a
+/// programme of speeds and loads, read as a spindle record. Throws the same exceptions as
 /// results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,

@@ -11,14 +11,15 @@
 
 namespace raceway::session {
 
-/// Returns "6000 rpm", "-500 N axial at 6000 rpm", or the name of a load case.
+/// Returns the name of a step: "6000 rpm", "-500 N axial at 6000 rpm", or the name of a load case.
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
 
-/// Returns the friction loss of all bearings of a shaft [W] at a speed and a temperature [C]. NaN
-/// means the temperature of the rig. Throws std::invalid_argument if the point has no equilibrium.
+/// Returns the friction loss of all bearings of a shaft [W] at a speed [rad/s] and a lubricant
+/// temperature [C]. NaN means the rig temperature of the model. Throws std::invalid_argument if the
+/// point has no equilibrium.
 [[nodiscard]] double friction_power(const model::Model& model, double speed, double temperature);
 
-/// Returns the displacement that the bearing sets alone cause at a speed [m].
+/// Returns the displacement [m] that the bearing sets cause at a speed [rad/s] without heating.
 [[nodiscard]] double kinematic_at(const model::Model& model, double speed);
 
 /// Parts of a correction in addition to the laws K(P) and T(P): power over speed, and kinematic
@@ -29,10 +30,10 @@ struct StepParts {
   std::vector<std::string> notes = {};
 };
 
-/// Returns these parts of a correction. Powers come from the steps if the steps give speeds.
-/// Otherwise the powers come from the friction of the model, up to the largest power of the steps.
-/// The kinematic law comes from the model. Without a model, this law comes from the immediate
-/// displacements of the steps. `model` may be null.
+/// Returns power over speed and the kinematic law for a correction. If the steps give speeds, the
+/// powers come from the steps. Otherwise the powers come from the friction of the model, up to the
+/// largest power of the steps. The kinematic law comes from the model. If `model` is null, this law
+/// comes from the immediate displacements of the steps.
 [[nodiscard]] StepParts step_parts(const spindle::StepResponses& responses,
                                    const model::Model* model, double temperature);
 

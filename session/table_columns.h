@@ -8,9 +8,9 @@
 #include "model/model.h"
 #include "shaft/shaft_prediction.h"
 
-/// Columns of a table in addition to the torque. A bearing has columns such as moments, angles and
-/// pressures. A shaft has these columns for every bearing, and the position as the last column.
-/// Single states of a bearing also have stiffness and ball loads.
+/// Columns of a table in addition to the torque. A bearing has columns for moments, contact angles,
+/// pressures and others. A shaft has these columns for every bearing, and the axial position as the
+/// last column. Single states of a bearing also have columns for stiffness and ball loads.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };
@@ -18,12 +18,12 @@ enum class Columns { of_tables, of_states };
 [[nodiscard]] std::vector<std::string> table_columns(const model::Model& model,
                                                      Columns which = Columns::of_tables);
 
-/// Fills the columns, the torque and the status of several points. Several threads may call the
-/// function at the same time.
+/// Computes the columns, the torque and the status of several points and writes them into `out`.
+/// Several threads may call the function at the same time.
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
-/// Fills the columns of a single state from its prediction.
+/// Writes the columns of a single state into `out`, from the prediction of this state.
 void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
                 const model::FrictionPrediction& prediction, friction::TablePoint& out);
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,

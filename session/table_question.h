@@ -21,16 +21,17 @@ namespace raceway::session {
 struct TableQuestion {
   AskedAxes axes{};
   friction::TableSlab slab{};
-  std::optional<model::Band> band{};  ///< if given, adds the half widths of torque and loss
+  std::optional<model::Band> band{};  ///< if given, adds the half widths of the 95 % bands of
+                                      ///< torque and power loss
   Wording wording = Wording::arguments;
 };
 
-/// Grid and column names of a table, known before it is computed.
+/// Grid and column names of a table, determined before the points are solved.
 struct TablePlan {
   friction::TableAxes axes;
   std::vector<std::string> columns;
 };
-/// Plans a table. Throws text::InputError like table_axes().
+/// Returns grid and column names. Throws the same exceptions as table_axes().
 [[nodiscard]] TablePlan plan_table(Messages& messages, const files::ModelFile& file,
                                    const TableQuestion& question);
 
@@ -53,15 +54,15 @@ struct TableAnswer {
   }
 };
 
-/// Solves all points on all cores. `progress` receives the finished share. Throws fit::Cancelled if
-/// `cancelled` is set during the calculation.
+/// Solves all points on all cores. `progress` receives the finished share, 0 to 1. Throws
+/// fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] TableAnswer make_table(const files::ModelFile& file, const TableQuestion& question,
                                      TablePlan plan,
                                      const std::function<void(double)>& progress = {},
                                      const std::atomic<bool>* cancelled = nullptr);
 
-/// Lines of text on the points without equilibrium, with the reason and the first such point. A
-/// torque without equilibrium is valid if the law does not need the balls.
+/// Lines of text on the points without equilibrium, with the reason and the first such point. If
+/// the friction law does not need the ball loads, these points have a valid torque.
 struct TableFailures {
   std::vector<std::string> lines{};
   bool without_torque = false;  ///< true if some points have no value
@@ -69,8 +70,9 @@ struct TableFailures {
 [[nodiscard]] TableFailures failures(const model::Model& model,
                                      const friction::StribeckTable& table);
 
-/// Returns solved points for the ball drawings of a report: some speeds at some pairs of loads. The
-/// result is empty for a shaft, because the loads of the grid are not the loads of its bearings.
+/// Returns solved points for the ball drawings of a report: some speeds at some pairs of axial and
+/// radial load. The result is empty for a shaft, because the loads of the grid are external loads,
+/// not the loads of its bearings.
 [[nodiscard]] report::BearingStates states_to_draw(const model::Model& model,
                                                    const friction::TableAxes& grid);
 

@@ -11,7 +11,7 @@
 
 namespace raceway::session {
 
-/// Tolerances of the option `--tolerance 2um,0.5K`: the largest errors that the user accepts.
+/// Tolerances of the option `--tolerance 2um,0.5K`: the largest RMS errors that the user accepts.
 struct Tolerance {
   std::string text;
 

@@ -4,10 +4,10 @@
 
 namespace raceway::session {
 
-/// Names of arguments in messages: flags of the command, or arguments of a function.
+/// Selects the names of arguments in messages: flags of the command, or arguments of a function.
 enum class Wording { flags, arguments };
 
-/// Returns "--moment" or "moment_Nm".
+/// Returns `flag` ("--moment") or `argument` ("moment_Nm").
 [[nodiscard]] inline std::string named(Wording wording, const char* flag, const char* argument) {
   return wording == Wording::flags ? flag : argument;
 }

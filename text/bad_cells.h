@@ -10,15 +10,15 @@
 
 namespace raceway::text {
 
-/// Collects errors in cells. One message shows the first ten errors by line, and the number of all
-/// errors.
+/// Collects invalid cells for one error message, which shows the first ten by line and the number
+/// of all invalid cells.
 class BadCells {
  public:
-  /// `rows` is the number of rows in the message.
+  /// `rows` is the number of rows of the table, for the message.
   BadCells(std::string source, std::size_t rows) : source_(std::move(source)), rows_(rows) {}
 
   void add(int line, std::string_view column, std::string_view cell, std::string_view problem);
-  /// Throws InputError if errors were collected.
+  /// Throws InputError if invalid cells were collected.
   void throw_if_any() const;
 
  private:
@@ -41,13 +41,13 @@ struct CellRange {
   std::string_view unit;
 };
 
-/// Returns the range of a channel, in the unit of the channel.
+/// Returns the allowed range of a channel, in the unit of the channel.
 [[nodiscard]] inline CellRange range_of(const record::Channel& channel) {
   return {channel.name, channel.lower, channel.upper, channel.unit};
 }
 
-/// Reads a cell in the unit of its column. A cell that is not a number or out of range is added to
-/// `bad`.
+/// Reads a cell in the unit of its column. A cell that is not a number or is out of range is added
+/// to `bad`.
 [[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
                                      const CellRange& range, BadCells& bad);
 

@@ -12,25 +12,25 @@
 
 namespace raceway::text {
 
-/// Position of the header and of the row of units in a file that has further lines.
+/// Position of the header and of the row of units in a delimited text file.
 struct CsvForm {
   int header_line = 0;    ///< counted from 1; lines above are skipped. 0: the first line
   int unit_line = 0;      ///< row of units below the header; 0: no such row
-  char separator = '\0';  ///< '\0': the separator is found in the header
+  char separator = '\0';  ///< '\0': the parser finds the separator
 };
 
 /// A number, or the reason why a cell is not a number.
 struct ParsedNumber {
   double value;              ///< NaN if there is a `problem`
   char decimal_mark = '\0';  ///< '.' or ',' if present
-  std::string_view problem;  ///< "is not a number", ...; follows the text of the cell in messages
+  std::string_view problem;  ///< reason, such as "is not a number"
 };
 
 /// Decimal and thousands marks of a file, found in the cells.
 struct DecimalMarks {
   char decimal = '\0';    ///< decimal mark; '\0': not known
   char thousands = '\0';  ///< mark between groups of three digits; '\0': no mark
-  char asked = '\0';      ///< mark whose meaning the user must state
+  char asked = '\0';      ///< mark that may be decimal or thousands mark; '\0': none
 };
 
 /// A column of a table that does not come from a file.
@@ -40,7 +40,7 @@ struct DataColumn {
   std::vector<std::string> texts{};
 };
 
-/// Function that finds the form of a UTF-8 text.
+/// Function that finds header, row of units and separator (CsvForm) of a UTF-8 text.
 using FormFinder = std::function<CsvForm(std::string_view)>;
 
 /// Contents of a delimited text file: names of columns, and cells with their line numbers.
@@ -50,17 +50,17 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 /// data is the header if its cells fit the first row. A line below the header that begins with `#`
 /// is a row if its cells fit the header ("#N/A,20,0.1").
 /// Blank lines, rows of empty cells, repeated headers and words after the last row are skipped. A
-/// cell may be quoted ("a ""b"""), but a quoted cell must end on the same line. In files of other
-/// programs, a unit after every number of a column ("12.3 °C") is the unit of the column. Blanks
-/// around cells are removed. An apostrophe before =, +, - or @ that prevents a formula is removed
-/// too (text/detail/csv_text.h).
+/// cell may be quoted ("a ""b"""), but a quoted cell must end on the same line. If a file of
+/// another program has a unit after every number of a column ("12.3 °C"), this unit becomes the
+/// unit of the column. Blanks around cells are removed. An apostrophe before =, +, - or @ that
+/// prevents a formula is removed too (text/detail/csv_text.h).
 /// Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
   std::string source;                 ///< file name, for messages
-  std::vector<std::string> comments;  ///< unchanged, from anywhere in the file
+  std::vector<std::string> comments;  ///< all comment lines of the file, unchanged
   std::vector<std::string> header;
-  std::vector<std::string> units;  ///< from the row of units; empty without one
+  std::vector<std::string> units;  ///< cells of the row of units; empty without such a row
   int header_line = 0;             ///< counted from 1
   char separator = ',';
   bool byte_order_mark = false;
@@ -79,8 +79,8 @@ class CsvTable {
   [[nodiscard]] bool is_numeric(std::size_t column) const {
     return !columns_.empty() && columns_[column].texts.empty();
   }
-  /// Returns a cell as text for messages and names, for any type of column; empty if there is no
-  /// number.
+  /// Returns a cell as text for messages and names, for any type of column. The text is empty if a
+  /// numeric cell is NaN.
   [[nodiscard]] std::string shown(std::size_t row, std::size_t column) const;
   [[nodiscard]] bool is_empty(std::size_t row, std::size_t column) const;
   /// Returns the number in a cell, or the reason why there is none. Throws InputError for an
@@ -94,8 +94,8 @@ class CsvTable {
   /// Returns the number in a cell. Throws InputError with line and column for anything else.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
   /// Sets the decimal mark to point or comma. The other mark then separates thousands. Without this
-  /// call, the decimal mark is found in the cells, and number() and parsed() throw if the cells are
-  /// ambiguous.
+  /// call, the table finds the decimal mark from its cells, and number() and parsed() throw
+  /// InputError for ambiguous cells.
   void set_decimal_mark(char mark);
   /// Removes the rows that `remove` marks with true; `remove` has one value for each row.
   void remove_rows(const std::vector<bool>& remove);
@@ -119,15 +119,16 @@ class CsvTable {
   DecimalMarks marks_;
 };
 
-/// Makes a table of columns of numbers or texts. Row numbers in messages are the line numbers of a
-/// CSV file with one header line. Throws InputError if there are no columns or no rows, if columns
-/// have different lengths, if a column name is missing or occurs twice, and for a control
+/// Creates a table from columns of numbers or texts. Row numbers in messages are the line numbers
+/// of a CSV file with one header line. Throws InputError if there are no columns or no rows, if
+/// columns have different lengths, if a column name is missing or occurs twice, and for a control
 /// character.
 [[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
 
-/// Reads a file. Throws InputError if the file cannot be read, has a control character, no header,
-/// no rows or more than 10 000 columns, if a column name other than the first is missing, if a name
-/// occurs twice, and for a row whose number of cells or separator differs from the header.
+/// Reads a file. Throws InputError in these cases: the file cannot be read; it has a control
+/// character, no header, no rows or more than 10 000 columns; a column name other than the first is
+/// missing; a name occurs twice; the number of cells or the separator of a row differs from the
+/// header.
 [[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
 /// Parses a file from text, otherwise like read_csv(); `source` is the name in messages.
@@ -139,9 +140,9 @@ class CsvTable {
 /// comma is a decimal mark only if `decimal_comma` is true.
 [[nodiscard]] ParsedNumber parse_number(std::string_view cell, bool decimal_comma);
 
-/// Returns true if the points in these numbers can separate thousands: each number with a point has
-/// groups of three digits, such as "1.200", and each number without a point is a whole number below
-/// 1000.
+/// Returns true if the points in these numbers can be thousands separators: each number with a
+/// point has groups of three digits, such as "1.200", and each number without a point is a whole
+/// number below 1000.
 [[nodiscard]] bool may_have_thousands(std::span<const std::string_view> numbers);
 
 /// Returns a cell for a message: in quotes, shortened to 40 characters.

@@ -9,15 +9,15 @@
 namespace raceway::text {
 
 /// Finds the header of a measurement file in the first lines of the file. The header is the first
-/// line with a name for which `known` returns true. If there is no such line, the header is the
-/// line above the first row of numbers, not counting a row of units, if it has at least as many
-/// cells as that row. A line below the header is the row of units if at least half of its cells are
-/// units and no cell is a reading.
+/// line with a name for which `known` returns true. If no name is known, the header is the line
+/// above the first row of numbers, or above the row of units. This header must have at least as
+/// many cells as the first row of numbers. A line below the header is the row of units if at least
+/// half of its cells are units and no cell is a reading.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 
-/// Returns the separator of a comment that is a header; nothing if the comment is not a header. A
-/// comment is a header if all its cells are names, if the row below it has the same number of
+/// Returns the separator of a comment line that is a header; empty if the comment is not a header.
+/// A comment is a header if all its cells are names, if the row below it has the same number of
 /// cells, and if at least half of the cells in this row are readings.
 [[nodiscard]] std::optional<char> separator_of_commented_header(std::string_view comment,
                                                                 std::string_view row);

@@ -8,12 +8,13 @@ namespace raceway::text {
 [[nodiscard]] std::string input_name(const std::string& path);
 
 /// Reads the whole text of a file, or of standard input for `-`. Standard input can be read only
-/// once. Converts UTF-16 to UTF-8, and removes the byte order mark; `byte_order_mark` states
-/// whether the file had a byte order mark. Throws InputError for a second read of standard input, a
+/// once. Converts UTF-16 to UTF-8, and removes the byte order mark; `byte_order_mark` becomes true
+/// if the file had a byte order mark. Throws InputError for a second read of standard input, a
 /// missing or unreadable file, a directory, a known binary format, NUL bytes, or more than 4 GB.
 [[nodiscard]] std::string read_text(const std::string& path, bool* byte_order_mark = nullptr);
 
-/// Reads an input. read_text() can still read the same input afterwards, even standard input.
+/// Returns the same text as read_text(), which can still read the input afterwards, even standard
+/// input.
 [[nodiscard]] std::string peek_text(const std::string& path);
 
 }  // namespace raceway::text

@@ -10,14 +10,15 @@ namespace raceway::text {
 /// time step. These times replace an empty column X_Value.
 ///
 /// Source: NI, "Specification for the LabVIEW Measurement File (.lvm)", version 2: `X0`, `Delta_X`,
-/// `Decimal_Separator` and `X_Columns` (One, Multi, No). The specification itself was not read.
+/// `Decimal_Separator` and `X_Columns` (One, Multi, No). This code was not checked against the
+/// specification itself.
 class LabviewHead {
  public:
   static constexpr std::string_view column = "X_Value";
 
   /// Reads a line above the header.
   void take(std::string_view line);
-  /// Returns the time of a row, written as in the file; nothing if the header does not give it.
+  /// Returns the time of a row, written as in the file; empty if the header gives no time.
   [[nodiscard]] std::optional<std::string> time_of(std::size_t row) const;
 
  private:

@@ -16,15 +16,16 @@ namespace raceway::text {
 /// read.
 [[nodiscard]] std::string toml_float(double value);
 
-/// Returns a number for readers, with this number of significant digits. The text has an exponent
-/// only for very large and very small numbers. NaN gives "-".
+/// Returns the text of a number for readers, with `digits` significant digits. The text has an
+/// exponent only for very large and very small numbers. NaN gives "-".
 [[nodiscard]] std::string number(double value, int digits = 4);
 
 /// Returns a value of a channel in its unit, without the rounding error of a large offset: 60 C
 /// instead of 59.9999999999999.
 [[nodiscard]] double value_in_unit(const record::Channel& channel, double si);
 
-/// Returns the unit of differences as in keys: "Nmm", "um"; "K" for temperatures.
+/// Returns the unit of differences between values of a channel, spelled as in keys: "Nmm", "um";
+/// "K" for temperatures.
 [[nodiscard]] std::string_view difference_unit(const record::Channel& channel);
 
 /// Returns the key of the tolerance of a channel: "tolerance_Nmm".

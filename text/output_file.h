@@ -6,9 +6,9 @@
 
 namespace raceway::text {
 
-/// Behaviour if the output file exists. For `refuse`, the error names --force as the flag that
-/// replaces the file. For `refuse_naming_replace`, it names --replace, because --force is a load in
-/// some commands.
+/// Behaviour if the output file exists. `replace` overwrites the file. With `refuse`, the error
+/// message names the flag --force, which allows overwriting. With `refuse_naming_replace`, it names
+/// the flag --replace, because --force is a load in some commands.
 enum class IfExists { refuse, refuse_naming_replace, replace };
 
 /// Throws InputError if write_text() would fail: for a name of a binary format such as a workbook
@@ -16,15 +16,15 @@ enum class IfExists { refuse, refuse_naming_replace, replace };
 /// and a missing or read-only folder. Call this function before a long calculation.
 void require_writable(const std::string& path, IfExists if_exists);
 
-/// Kind of output. A file name with the ending of another kind throws InputError: a table in
-/// st.json, a picture in st.html. Names without a known ending are allowed.
+/// Kind of output. require_name_of() throws InputError for a file name with the ending of another
+/// kind: a table in st.json, a picture in st.html. Names without a known ending are allowed.
 enum class Written { table, picture, page };
 void require_name_of(const std::string& path, Written what);
 
 /// Writes a complete file or nothing. The function first writes a temporary file in the same folder
 /// and then renames it. A new file keeps the permissions of the file that it replaces. A file that
 /// another program has written in the meantime is replaced only if `if_exists` allows it. Throws
-/// InputError like require_writable(), and if the disk is full.
+/// InputError under the conditions of require_writable(), and if the disk is full.
 void write_text(const std::string& path, std::string_view text, IfExists if_exists);
 
 /// An output file; its text must live until the file is written.

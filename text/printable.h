@@ -8,8 +8,8 @@
 /// name damages the file that contains the name.
 namespace raceway::text {
 
-/// Returns the first control character in UTF-8 text, as "U+001B". A tab is allowed. Returns
-/// nothing if there is no such character.
+/// Returns the first control character in UTF-8 text, as "U+001B". A tab is not reported. The
+/// result is empty if the text has no control character.
 [[nodiscard]] std::optional<std::string> control_character(std::string_view text);
 
 /// Returns the text with each control character written as "\x1b", except those in `kept`.

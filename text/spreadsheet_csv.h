@@ -5,7 +5,8 @@
 
 namespace raceway::text {
 
-/// Marks that a spreadsheet expects. The default values are for a German Excel.
+/// Cell separator and decimal mark that a spreadsheet expects. The default values are for a German
+/// Excel.
 struct SpreadsheetMarks {
   char separator = ';';
   char decimal = ',';

@@ -7,16 +7,16 @@
 
 namespace raceway::text {
 
-/// Order of day, month and year in a date of numbers. 12/03/2024 is in March or in December.
-/// 24/09/11 and 24.09.11 begin with the day or with the year. A date with points never begins with
-/// the month.
+/// Order of day, month and year in a date of numbers. The date 12/03/2024 can be in March or in
+/// December. The dates 24/09/11 and 24.09.11 can begin with the day or with the year. A date with
+/// points never begins with the month.
 enum class DateOrder { day_first, month_first, year_first };
 inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_first,
                                         DateOrder::year_first};
 /// Returns the name for messages: "day first".
 [[nodiscard]] std::string_view name(DateOrder order);
 
-/// Returns a date with a time as seconds since 1970 without leap seconds; nothing for other texts.
+/// Returns a date with a time as seconds since 1970 without leap seconds; empty for other texts.
 /// Allowed forms are "2024-03-12T08:15:00.5+01:00" (ISO 8601, also with a blank in place of T, with
 /// Z, or without seconds), "20240312T081500", "2024/03/12 08:15", "12.03.2024 08:15:00,5",
 /// "12-03-24 08:15", "12-Mar-2024 08:15:00", "Mar 12, 2024 8:15 AM", "03/12/2024 08:15:00.5 AM",
@@ -29,16 +29,17 @@ inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_f
 /// Returns true if a date states its time zone, such as "2024-03-12T08:15:00Z" and "...+01:00".
 [[nodiscard]] bool has_zone(std::string_view cell);
 
-/// Returns a date without a time as seconds since 1970. The forms are the same as for
-/// parse_timestamp().
+/// Returns a date without a time as seconds since 1970; empty for other texts. The date may have
+/// the forms that parse_timestamp() accepts.
 [[nodiscard]] std::optional<double> parse_date(std::string_view cell,
                                                DateOrder order = DateOrder::day_first);
 
-/// Returns a time of day without a date [s]: "20:15", "20:15:00.5", "8:15:00 PM".
+/// Returns a time of day without a date as seconds since midnight: "20:15", "20:15:00.5", "8:15:00
+/// PM". The result is empty for other texts.
 [[nodiscard]] std::optional<double> parse_clock(std::string_view cell);
 
 /// Returns an elapsed time [s]: "1:30:05.5", "100:00:00", "12:05.0" (minutes), or with days "2
-/// 01:30:05", "2 days 01:30:05", "2.01:30:05". Returns nothing for other texts.
+/// 01:30:05", "2 days 01:30:05", "2.01:30:05". The result is empty for other texts.
 [[nodiscard]] std::optional<double> parse_elapsed(std::string_view cell);
 
 /// A time such as "12:05", which may be hours and minutes or minutes and seconds.
@@ -46,24 +47,26 @@ struct ShortTime {
   int units = 0;      ///< hours or minutes
   int sixtieths = 0;  ///< minutes or seconds
 };
-/// Reads a short time. Returns nothing for other texts.
+/// Reads a short time. The result is empty for other texts.
 [[nodiscard]] std::optional<ShortTime> parse_short_time(std::string_view cell);
 
 /// Returns true if a cell is a date with a time in any date order, an elapsed time, a short time
 /// such as "12:05", or a time of day with AM or PM.
 [[nodiscard]] bool is_time(std::string_view cell);
 
-/// Returns true if a change to or from summer time is possible at this local time. The changes are
-/// at night on these Sundays: the last of March and of October (Europe); the second of March and
-/// the first of November (North America); the last of September or the first of October, and the
-/// first of April (New Zealand, Australia). `forward` selects the change to summer time.
+/// Returns true if a change to or from summer time is possible at the local time `before`, in
+/// seconds since 1970. The changes are at night on these Sundays: the last of March and of October
+/// (Europe); the second of March and the first of November (North America); the last of September
+/// or the first of October, and the first of April (New Zealand, Australia). `forward` selects the
+/// change to summer time.
 [[nodiscard]] bool clocks_may_change(double before, bool forward);
 
 /// Converts days since 1900, as Excel counts them, to seconds since 1970. Day 60 of Excel is 29
-/// February 1900, which did not exist. Returns nothing outside the years of Excel, 1900 to 9999.
+/// February 1900, which did not exist. The result is empty outside the years of Excel, 1900 to
+/// 9999.
 [[nodiscard]] std::optional<double> seconds_of_excel(double days);
 
-/// Returns a text such as "2024-03-12T08:15:00.500", for the years 0 to 9999.
+/// Returns seconds since 1970 as a text such as "2024-03-12T08:15:00.500", for the years 0 to 9999.
 [[nodiscard]] std::string timestamp_text(double seconds);
 
 }  // namespace raceway::text

@@ -9,8 +9,8 @@ inline constexpr int twelve_digits_room = 32;
 /// end of the text.
 ///
 /// Accuracy: exact. From 1e-4 to 1e12 the digits come from one rounded product, which is rounded to
-/// a whole number. This is possible if the product is far enough from the midpoint of two whole
-/// numbers, so that its rounding error has no effect. All other numbers use std::to_chars, which
+/// a whole number. The function uses this product only if it is so far from the midpoint of two
+/// whole numbers that its rounding error has no effect. All other numbers use std::to_chars, which
 /// takes five times as long.
 [[nodiscard]] char* write_12_digits(char* out, double value);
 

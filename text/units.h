@@ -7,7 +7,7 @@
 
 namespace raceway::text {
 
-/// Quantity measured by a unit.
+/// Physical quantity that a unit measures.
 enum class Dimension {
   moment,
   force,
@@ -43,13 +43,13 @@ struct Unit {
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
 };
 
-/// Returns all units. The first unit of a dimension that occurs in channel names is the unit of
-/// this program.
+/// Returns all units. For each dimension, the first unit that occurs in channel names is the unit
+/// of this program.
 [[nodiscard]] std::span<const Unit> units();
 
 /// Returns the unit with this spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm",
 /// "rad_s", "minutes". The case matters in symbols (mN, MN) but not in words. Returns null if no
-/// unit has this spelling, or if the unit is not of the given dimension.
+/// unit has this spelling, or if the unit does not measure the given dimension.
 [[nodiscard]] const Unit* find_unit(std::string_view spelling,
                                     std::optional<Dimension> dimension = std::nullopt);
 
@@ -63,8 +63,8 @@ struct Unit {
 [[nodiscard]] std::string conversion(const Unit& from, const Unit& to);
 
 /// Name and unit of a column header: {"Drehzahl", "1/min"} for "Drehzahl [1/min]", "Drehzahl
-/// (1/min)" and "Drehzahl in 1/min"; {"friction_torque", "Nm"} for "friction_torque_Nm". The unit
-/// is empty if it is not known.
+/// (1/min)" and "Drehzahl in 1/min"; {"friction_torque", "Nm"} for "friction_torque_Nm". If the
+/// unit is unknown, `unit` is empty.
 struct HeaderParts {
   std::string_view name, unit;
 };
@@ -75,7 +75,8 @@ struct HeaderParts {
 [[nodiscard]] std::string_view in_brackets(std::string_view header);
 
 /// Returns a unit of this dimension at the end of a header, after a blank or a comma: "Torque, N
-/// m", "Speed rad/s". The unit must have at least two letters. Returns null if there is none.
+/// m", "Speed rad/s". The unit must have at least two letters. Returns null if the header does not
+/// end with such a unit.
 [[nodiscard]] const Unit* unit_at_end(std::string_view header, Dimension dimension);
 
 /// Returns the SI value of one unit of a column, from the end of its name: 1e-3 for "load_Nmm", 1

@@ -9,7 +9,7 @@
 /// This file is part of session/sensitivity.cpp.
 namespace raceway::session::varied {
 
-/// Predictions with one datum changed in both directions.
+/// Predictions after one datum was changed in both directions.
 struct Around {
   double step = unset;  // step of the datum; 0: the datum is not varied
   // Predictions at value + step, - step, + step/2, - step/2, + spread, - spread.
@@ -19,8 +19,8 @@ struct Around {
 /// Sets the spreads from the question or from the standard errors in the model.
 void take_spreads(const model::Model& model, const SensitivityQuestion& q, Data& data);
 
-/// Predicts with each datum changed, one at a time. Sets the usual spread for data without a given
-/// spread, and lists data that cannot be varied.
+/// Computes the predictions with each datum changed, one at a time. Sets the usual spread for data
+/// without a given spread, and lists data that cannot be varied.
 [[nodiscard]] std::vector<Around> predict_around(Data& data, const Predictor& predictor,
                                                  const SensitivityQuestion& q,
                                                  results::Sensitivity& s);

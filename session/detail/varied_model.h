@@ -20,7 +20,7 @@
 /// session/sensitivity.cpp.
 namespace raceway::session::varied {
 
-/// Numerical input of the question, for example a speed. The input can be varied if the question
+/// Numerical input of the request, for example the speed. The input can be varied if the question
 /// gives a single value.
 struct Axis {
   std::string_view name, flag;
@@ -39,7 +39,7 @@ using State = std::array<double, 4>;
 inline constexpr std::string_view life = "life_h", stiffness = "axial_stiffness_N_um",
                                   hottest_ring = "hottest_ring_temperature_C";
 
-/// Returns the columns that a question may name.
+/// Returns the names of all columns that can be requested.
 [[nodiscard]] std::vector<std::string> known_columns(const model::Model& model, bool steady);
 
 /// Computes the requested columns for changed data.
@@ -50,8 +50,8 @@ class Predictor {
 
   [[nodiscard]] const std::vector<std::string>& wanted() const { return wanted_; }
 
-  /// Returns the predictions state by state, in the units of the column names; NaN marks a missing
-  /// value.
+  /// Returns the predictions [states x columns], in the units of the column names; NaN marks a
+  /// missing value.
   [[nodiscard]] std::vector<double> operator()(const files::ModelFile& file,
                                                const std::vector<State>& states) const;
 
@@ -68,7 +68,7 @@ class Predictor {
   std::vector<double> units_;
 };
 
-/// Predictions with one set of data, or the reason why the model rejects the data.
+/// Predictions with one set of changed data, or the reason why the model rejects these data.
 struct Outcome {
   std::vector<double> values{};
   std::string refused{};
@@ -78,7 +78,7 @@ struct Outcome {
   }
 };
 
-/// Data of the model and of the question that can be varied.
+/// Input values ("data") of the model and of the request that can be varied.
 class Data {
  public:
   Data(const files::ModelFile& file, const SensitivityQuestion& question,

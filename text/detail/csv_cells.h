@@ -22,7 +22,7 @@ struct CellSpan {
 /// Returns the name for messages: "semicolons".
 [[nodiscard]] std::string_view separator_name(char separator);
 
-/// Counts separators outside of quotes.
+/// Returns the number of separators in a line, without separators inside quotes.
 [[nodiscard]] std::size_t count_separators(std::string_view line, char separator);
 
 /// Appends the cells of the line from `begin` to `end`. Two quotes ("") inside a quoted cell become
@@ -36,8 +36,8 @@ void split_cells(std::string& text, std::size_t begin, std::size_t end, char sep
 struct MeasuredCell {
   std::string_view number, unit;
 };
-/// Reads a cell with a number and a unit. Returns nothing for other cells, such as "1/min" and "8
-/// AM".
+/// Reads a cell with a number and a unit. The result is empty for other cells, such as "1/min" and
+/// "8 AM".
 [[nodiscard]] std::optional<MeasuredCell> measured_cell(std::string_view cell);
 
 }  // namespace raceway::text

@@ -32,7 +32,7 @@ class CsvParser {
         origin_(origin),
         give_row_(std::move(take_row)) {}
 
-  /// Parses the text. Throws InputError like read_csv().
+  /// Parses the text. Throws InputError in the cases of read_csv().
   void run();
   /// Adds notes on lines skipped above, between and below the rows.
   void add_notes();

@@ -20,7 +20,7 @@ void append_text(fmt::memory_buffer& out, std::string_view text);
 /// Removes the apostrophe that append_text() wrote, for readers of CSV.
 [[nodiscard]] std::string_view without_guard(std::string_view cell);
 
-/// Appends a value with 12 digits; nothing if it is not finite.
+/// Appends a value with 12 digits. Appends nothing if the value is not finite.
 void append_value(fmt::memory_buffer& out, double value);
 
 }  // namespace raceway::text

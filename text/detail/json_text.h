@@ -17,8 +17,8 @@ using json = nlohmann::ordered_json;
 /// Bytes that are not UTF-8, for example in file names, are replaced.
 [[nodiscard]] std::string text(const json& document);
 
-/// Writes the texts of notes for readers to the member `key`. Appends each note with kind, code and
-/// place to the member `said`, for programs.
+/// Writes the texts of notes for readers to the member `key`. Also appends each note with kind,
+/// code and place to the member `said`, for programs that read the document.
 void put_notes(json& document, std::string_view key, const std::vector<record::Note>& notes);
 
 /// Returns a value on one line, without a line end.
