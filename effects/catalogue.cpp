@@ -153,11 +153,11 @@ std::string_view text(Need need) {
     case Need::rising_and_falling:
       return "speeds that were reached from below and from above, with time_s";
     case Need::ball_load_law:
-      return "the contact law, or an effect in the model that uses ball loads, such as "
-             "spin-friction: the other base laws use the entered load only";
+      return "a law that uses ball loads (contact or contact-powers), or an effect in the model "
+             "that uses them, such as spin-friction: the other base laws use the entered load only";
     case Need::palmgren_law:
-      return "the palmgren law: the skf law already contains this effect, and a friction table may "
-             "contain it";
+      return "another law than skf or table: the skf law already contains this effect, and a "
+             "friction table may contain it";
     case Need::opposed_sets:
       return "bearings at both ends of the shaft: in a tandem, a spring keeps the preload constant";
     case Need::torque_standard:
