@@ -1,7 +1,7 @@
 """Calculate friction, kinematics and heat of spindle bearings, and find the missing effect of a model.
 
 A model is a TOML file, which the command ``raceway`` also uses. Names of arguments and results include the unit.
-Numbers are the same as in the output of the command. Messages are also the same, except that they name arguments in place of flags.
+Results equal the results of the command. Messages are also the same, but name arguments in place of flags.
 
 >>> import raceway
 >>> model = raceway.Model.new("S 6014 C")
@@ -29,7 +29,7 @@ from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
 
 
 def __getattr__(name: str) -> _Any:
-    # matplotlib takes longer to load than all else; many scripts neither draw nor sweep.
+    # Loading matplotlib takes most of the import time, and many scripts neither draw nor sweep.
     if name in ("plot", "sweep"):
         import importlib
 

@@ -43,7 +43,7 @@ class Correction(LoopModel):
     """
 
     _called = "correction"
-    _said: Sequence[Note] = ()  # when it was made
+    _said: Sequence[Note] = ()  # notes from the creation of the correction
 
     def __init__(self, source: str, text: str, files: Sequence[tuple[str, str, str]] = ()) -> None:
         tables = _tables(text_of("text", text))
@@ -97,7 +97,7 @@ class Correction(LoopModel):
         """Reliability of the prediction of each displacement, tested on readings that the fit did not use.
 
         The value is ``"good"``, ``"only inside its range: ..."``, ``"do not use, because ..."``, or ``"not known: ..."``
-        if the file contains no information about the reliability.
+        if the file does not contain the result of this test.
         """
         return self._engine.trust()
 

@@ -124,7 +124,7 @@ class Program:
     text : str
         Text of the program.
     notes : list of Note
-        Information for the user of the control.
+        Notes on the program, for the user of the control.
     hal, hal_shutdown : str
         HAL files of LinuxCNC that start and stop the component. The texts are empty for other formats.
     """

@@ -27,7 +27,7 @@ KINDS = (
     "StepResponses",
 )
 
-# Endings of column names, longest first where one ends in another; N_um before um.
+# Endings of column names. An ending that contains another ending comes first, such as N_um before um.
 UNITS = {
     "N_um": "N/µm",
     "Nm_rad": "N m/rad",
@@ -165,7 +165,7 @@ def number(value: float | None, digits: int = 3) -> str:
     size = abs(value)
     if size != 0.0 and not 1e-4 <= size < 1e6:
         return f"{value:.{digits}g}"
-    # Digits before the point are all kept: 1914, not 1.91e+03.
+    # All digits before the decimal point are printed: 1914, not 1.91e+03.
     before = int(math.floor(math.log10(size))) + 1 if size >= 1.0 else 0
     return f"{value:.{max(digits, before)}g}"
 
@@ -204,7 +204,7 @@ class Ladder:
 
 
 def noise_of(noise: dict[str, Any] | None) -> tuple[float | None, str]:
-    """Return the RMS of the noise and its label."""
+    """Return the RMS of the noise (None if it is unknown) and its label: "noise" or "noise, estimated"."""
     noise = noise or {}
     if noise.get("rms") is not None:
         return float(noise["rms"]), "noise"
@@ -225,7 +225,7 @@ def _of_comparison(part: dict[str, Any], model: str) -> Ladder:
 
 def _of_fit(part: dict[str, Any], noise: dict[str, Any] | None, after: str) -> Ladder:
     size, words = noise_of(noise)
-    # A document without noise leaves open whether it is known.
+    # A document without noise does not state whether the noise is known.
     words = words if noise is not None else ""
     ladder = Ladder(part["unit"], part.get("quantity", ""), noise=size, noise_words=words, tolerance=_tolerance(part))
     ladder.steps = [Step("before", part["rmse_before"], "before"), Step("after", part[after], "after")]

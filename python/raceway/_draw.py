@@ -16,7 +16,7 @@ from ._documents import label_of, split_column
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 LINES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (8, 2)), (0, (4, 1, 1, 1, 1, 1)), (0, (2, 1)))
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">")
-MOST_MARKERS = 10  # per curve; more markers hide the line style
+MOST_MARKERS = 10  # largest number of markers of a curve; more markers hide the line style
 
 
 def style(i: int) -> dict[str, Any]:
@@ -34,7 +34,7 @@ def markevery(points: int, curve: int) -> tuple[int, int] | None:
 
 def new_figure() -> Figure:
     """Return a new figure of pyplot. A notebook shows this figure."""
-    from matplotlib import pyplot  # only where it is needed: it chooses a backend
+    from matplotlib import pyplot  # imported only here, because the import chooses a backend
 
     return pyplot.figure(layout="constrained")
 
@@ -60,7 +60,7 @@ def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = N
     entries = handles if handles is not None else ax.get_legend_handles_labels()[0]
     beside = has_room(ax, own)
     where: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "borderaxespad": 0.0} if beside else {"loc": "best"}
-    # A handle is wide enough for one complete dash pattern.
+    # A line in the legend is long enough for one complete dash pattern.
     ax.legend(
         handles=entries,
         title=title,

@@ -11,10 +11,10 @@ from ._results import _write
 
 
 class FromFile:
-    """Model with the contents of its file and of all files that this file names, as they were when the model was read."""
+    """Base class with the contents of a model file and of all files that this file names, as read at its creation."""
 
     _engine: Any
-    _called = "model"  # a text without a name
+    _called = "model"  # name of a text that has no name
 
     if TYPE_CHECKING:
 

@@ -11,9 +11,9 @@ from typing import Any
 
 from ._documents import Ladder, effect_name, error_unit, files_text, kind_of, label_of, ladders_of, number, quantity_text, split_column, unit_text
 
-FIRST_ROWS = 6  # of a table
-RANKED = 6  # effects, beside those of the verdict
-WORST = 5  # ranges in which a model errs
+FIRST_ROWS = 6  # rows of a table that are shown
+RANKED = 6  # effects that are shown in addition to the effects of the verdict
+WORST = 5  # ranges with the largest errors that are shown
 BAR = 220  # width of the longest bar [px]
 
 _CELL = "padding:.15em .8em .15em 0;border:0;background:none;vertical-align:baseline;" "white-space:normal;"
@@ -43,7 +43,7 @@ def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | No
 
     top = f'<tr style="background:none">{cells("th", [text(h) for h in head])}</tr>' if head else ""
     body = "".join(f'<tr style="background:none">{cells("td", row)}</tr>' for row in rows)
-    # A wide table scrolls by itself. The words around it stay in sight.
+    # A wide table has its own scroll bar, so the text around the table stays visible.
     return (
         '<div style="overflow-x:auto">'
         '<table style="border-collapse:collapse;border:0;margin:.2em 0;'
@@ -55,7 +55,7 @@ def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | No
 def bar(value: float, full: float, mark: float | None, kind: str) -> str:
     """Return the bar of one error of a ladder (`plot.ladder`), with a mark at the noise."""
     width = 0.0 if not full > 0.0 else BAR * max(0.0, min(value / full, 1.0))
-    # Hollow for held-out rows, as in the picture of plot.ladder().
+    # The bar of held-out rows is hollow, as in plot.ladder().
     body = (
         f'<rect x="0.5" y="2.5" width="{width:.1f}" height="9" fill="none" ' 'stroke="currentColor" stroke-opacity=".6"/>'
         if kind == "held out"
@@ -133,7 +133,7 @@ def _ranking(data: dict[str, Any]) -> str:
             ]
         )
     head = ["effect", "in verdict", "size", "gain", f"RMS, {error_unit(unit)}", "held out"]
-    if all(e.get("gain") is None for e in effects):  # records over time are judged held out
+    if all(e.get("gain") is None for e in effects):  # records over time have held-out errors in place of gains
         head, rows = head[:3] + head[4:], [row[:3] + row[4:] for row in rows]
     more = len(effects) - len(rows)
     return (
@@ -257,7 +257,7 @@ def parameters_html(calibration: dict[str, Any]) -> str:
     matrix = calibration.get("correlation") or []
     if len(matrix) > 1:
         names = list(parameters)
-        # Columns have numbers, because names of effects' parameters are too long.
+        # The columns are numbered, because names of parameters of effects are too long.
         rows = [[str(i + 1), text(name)] + [number(r, 2) for r in matrix[i][: i + 1]] + [""] * (len(names) - i - 1) for i, name in enumerate(names)]
         out += heading("Correlation") + table(["", "", *(str(i + 1) for i in range(len(names)))], rows, left=2)
     return out
@@ -374,11 +374,11 @@ def html_of(result: Any) -> str:
     >>> "&lt;b&gt;.toml" in html_of(Comparison())
     True
     """
-    from ._html_spindle import WRITERS as of_spindles  # it needs the parts above
+    from ._html_spindle import WRITERS as of_spindles  # imported here, because the module uses the functions above
 
     writers = {**_WRITERS, **of_spindles}
     writer = writers.get(kind_of(result))
     if writer is None:
         raise TypeError(f"html_of() takes a {', '.join(writers)}, not {type(result).__name__!r}")
-    # A grid of one column is as wide as its place, not as its widest line.
+    # A grid with one column has the width of the page, not of its widest line.
     return '<div style="display:grid;grid-template-columns:minmax(0,1fr);line-height:1.4;color:inherit">' f"{writer(result)}</div>"

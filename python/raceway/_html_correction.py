@@ -7,7 +7,7 @@ from typing import Any
 from ._documents import files_text, in_unit_of, number, unit_text
 from ._html import _FAINT, heading, messages_html, paragraph, table, text
 
-FEW = 24  # rows of a table
+FEW = 24  # rows of a table that are shown
 
 
 def _page(inner: str) -> str:

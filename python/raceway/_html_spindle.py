@@ -8,7 +8,7 @@ from typing import Any
 from ._documents import number, split_column, unit_text
 from ._html import _FAINT, heading, messages_html, paragraph, table, text
 
-MOST_ROWS = 12  # of speeds or steps; the document has all of them
+MOST_ROWS = 12  # speeds or steps that are shown; the document contains all
 
 Row = dict[str, Any]
 

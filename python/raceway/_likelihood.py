@@ -7,7 +7,7 @@ from typing import Any
 
 from ._documents import effect_name
 
-RANKED = 6  # effects beside those of the verdict
+RANKED = 6  # effects in addition to the effects of the verdict
 
 
 @dataclass
@@ -24,7 +24,7 @@ def ranked(data: dict[str, Any]) -> list[Explanation]:
     effects = [e for e in data.get("effects", []) if e.get("gain") is not None]
     rows: list[Explanation] = []
     if data["verdict"] == "several-effects":
-        # An effect in a set has the numbers of the first set that it is in.
+        # An effect that is in several sets has the values of the first set.
         rows = [Explanation(" + ".join(ids), fit, True) for ids, fit in zip(data["explanations"], data["explanation_fits"])]
         named = {one for ids in data["explanations"] for one in ids}
         effects = [e for e in effects if e["id"] not in named]

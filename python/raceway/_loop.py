@@ -103,7 +103,7 @@ class LoopModel(FromFile):
             True keeps the rows of a logger separate. False averages consecutive rows at equal speed and load to one
             dwell, and a note reports this.
         tolerance : str, optional
-            Largest error that is acceptable in your application, such as ``"2Nmm"``.
+            Largest acceptable RMS error, such as ``"2Nmm"``.
         from_s, until_s : float, optional
             Time range of the readings that are evaluated: start and end, measured from the first row [s]. Only for a
             correction.
@@ -183,7 +183,7 @@ class LoopModel(FromFile):
         pairs : bool
             True also tries combinations of effects. False tries only single effects and is faster.
         tried_before : int
-            Number of explanations that you have already tried on these data.
+            Number of explanations that you have already tried on these data. The threshold of the gain rises with this number.
         channel, per_record, rows, tolerance, from_s, until_s
             These arguments have the same meaning as in `compare`.
         time_limit_s : float, optional

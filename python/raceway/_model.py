@@ -38,7 +38,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     'GMN S 6014 C TA'
     """
 
-    _said: Sequence[Note] = ()  # when it was made
+    _said: Sequence[Note] = ()  # notes from the creation of the model
 
     def __init__(self, source: str, text: str, effects: Iterable[Effect] = (), files: Sequence[tuple[str, str, str]] = ()) -> None:
         text_of("text", text)
@@ -228,7 +228,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         names, values, status, notes, doubts = self._engine.solve(given, wanted, bool(band))
         document = None
         if not columns and all(array.ndim == 0 for array in given.values()):
-            alone = {name: array.copy() for name, array in given.items()}  # as they are now
+            alone = {name: array.copy() for name, array in given.items()}  # copies that later changes do not affect
             document = functools.partial(self._engine.solve_document, alone, bool(band))
         _warn(doubts)
         return Solution(names, values, status, given, notes, document)

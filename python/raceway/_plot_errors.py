@@ -57,7 +57,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     for result in results:
         found = ladders_of(result, caller)
         found = found[:1] if "channels" in result.data else found
-        if len(results) > 1 and kind_of(result) != "Comparison":  # whose before and after
+        if len(results) > 1 and kind_of(result) != "Comparison":  # a bar label needs the name of the result
             for step in (step for one in found for step in one.steps):
                 step.label += f" ({kind_of(result).lower()})"
         ladders += found
@@ -96,7 +96,7 @@ def _noise_bars(ladders: list[Ladder]) -> list[tuple[str, float, str]]:
 
 
 def _bars(ax: Axes, bars: list[tuple[str, float, str]], own: bool) -> None:
-    # Different without colour: light, dark, and two hatches.
+    # The bars differ without colour: light, dark, and two hatches.
     looks = {
         "before": {"color": "0.72"},
         "model": {"color": "0.72"},
@@ -113,7 +113,7 @@ def _bars(ax: Axes, bars: list[tuple[str, float, str]], own: bool) -> None:
         )
     ax.set_yticks(range(len(bars)), [label for label, _, _ in bars])
     ax.set_ylim(len(bars) - 0.4, -0.6)
-    ax.set_xlim(0.0, 1.16 * largest if largest > 0.0 else 1.0)  # room for the numbers
+    ax.set_xlim(0.0, 1.16 * largest if largest > 0.0 else 1.0)  # space for the numbers next to the bars
     ax.tick_params(axis="y", length=0)
     ax.spines[["top", "right"]].set_visible(False)
     if own:
@@ -186,7 +186,7 @@ def _error_map(ax: Axes, own: bool, x: np.ndarray, y: np.ndarray, error: np.ndar
     area = LARGEST_MARK * np.abs(error) / largest
     for order, place in enumerate(np.argsort(-area, kind="stable")):
         up = error[place] > 0.0
-        # Large marks first, each with a rim, so that small marks on the same point stay visible.
+        # Large marks are drawn first, each with a rim, so that small marks at the same point stay visible.
         ax.scatter(
             x[place],
             y[place],
@@ -215,7 +215,7 @@ def _error_map(ax: Axes, own: bool, x: np.ndarray, y: np.ndarray, error: np.ndar
             )
     ax.margins(0.08)
     if not draw.has_room(ax, own):
-        left, right = ax.get_xlim()  # a strip for the legend, which must not hide marks
+        left, right = ax.get_xlim()  # space for the legend, which must not hide marks
         ax.set_xlim(left, right + 0.5 * (right - left))
     draw.place_legend(ax, own, "Prediction\nminus reading" + (f"\nin {unit}" if unit else ""), handles, spacing=0.9)
 

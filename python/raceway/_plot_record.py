@@ -66,11 +66,11 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
         raise ValueError(f"{caller}: no column of numbers except {x}")
     panels: dict[tuple[str, bool], list[str]] = {}
     for column in columns:
-        # The residual is small next to the displacement.
+        # The residual is much smaller than the displacement, so it has its own axes.
         panels.setdefault((draw.unit_of(column), column.startswith("residual_")), []).append(column)
     axes, own = _panels(ax, [unit for unit, _ in panels])
     if own and any(len(names) > 1 for names in panels.values()):
-        axes[0].figure.set_figwidth(8.5)  # room for legends at the side
+        axes[0].figure.set_figwidth(8.5)  # space for legends next to the axes
     across, label = _across(draw.numbers(frame, x, caller), x)
     for one, ((_, left), names) in zip(axes, panels.items()):
         _panel(one, own, frame, across, names, joined=x == "time_s")
@@ -115,20 +115,20 @@ def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns
         values = draw.numbers(frame, column, "record()")
         look = draw.style(i)
         here = np.isfinite(values)
-        few = joined and 0 < here.sum() < len(values) / 2  # readings now and then
+        few = joined and 0 < here.sum() < len(values) / 2  # less than half of the rows have a reading
         if few:
             look["linestyle"] = "none"
         elif joined:
             look["markevery"] = draw.markevery(len(frame), i)
             if len(frame) > 4 * draw.MOST_MARKERS and len(columns) == 1:
-                look["marker"] = None  # one long curve needs no marks
+                look["marker"] = None  # a single long curve needs no markers
         else:
-            look["linestyle"] = "none"  # rows of a plan stand in no order
+            look["linestyle"] = "none"  # the rows of a test plan have no order
         for k, (begin, end) in enumerate(zip(starts[:-1], starts[1:])):
             ax.plot(across[begin:end], values[begin:end], markersize=4, **look, label=quantity_text(split_column(column)[0]) if k == 0 else None)
     quantity, unit = _common_words(columns), unit_text(draw.unit_of(columns[0]))
     break_ = "\n" if ax.get_subplotspec() and ax.get_subplotspec().get_gridspec().nrows > 1 else " "
-    ax.set_ylabel(f"{quantity}{break_}in {unit}" if unit else quantity)  # a panel is low
+    ax.set_ylabel(f"{quantity}{break_}in {unit}" if unit else quantity)  # two lines, because an axes is low
     if len(columns) > 1:
         draw.place_legend(ax, own)
 

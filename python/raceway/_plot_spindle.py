@@ -42,6 +42,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
     Parameters
     ----------
     run : SpindleRun
+        Result of `Model.simulate`.
     ax : sequence of matplotlib.axes.Axes, optional
         One axes for each of the four quantities. The default is a new figure.
 
@@ -82,7 +83,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
     time, label = _across(seconds, "time_s")
     marker = "o" if len(rows) <= draw.MOST_MARKERS else None
     for k, (one, (words, _), values) in enumerate(zip(axes, PANELS, curves)):
-        # The speed of a row is valid from the previous row on.
+        # The speed of a row applies from the time of the previous row.
         one.plot(time, values, color=draw.COLOURS[0], marker=marker, markersize=4, drawstyle="steps-pre" if k == 0 else "default")
         one.set_ylabel(words)
         one.yaxis.set_major_locator(MaxNLocator(nbins=4))
@@ -101,7 +102,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
 
 def _name(ax: Axes, at: float, force_N: float) -> None:
     """Label the mark of the highest force, within the axes."""
-    ax.margins(y=0.25)  # room above it
+    ax.margins(y=0.25)  # space above the curve
     low, high = ax.get_xlim()
     share = (at - low) / (high - low)
     side = "left" if share < 0.2 else "right" if share > 0.8 else "center"

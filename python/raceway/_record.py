@@ -265,7 +265,7 @@ def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
     for ours, theirs in columns.items():
         if isinstance(theirs, bool) or not isinstance(theirs, (str, Real)):
             raise TypeError(f"columns: {ours} must be the name of a column in your data, or one number for all rows, " f"not {type(theirs).__name__}")
-        # JSON strings are TOML strings.
+        # A JSON string is also a valid TOML string.
         value = json.dumps(theirs) if isinstance(theirs, str) else repr(float(theirs))
         lines.append(f"{json.dumps(str(ours))} = {value}")
     return "\n".join(lines) + "\n"

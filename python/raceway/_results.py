@@ -255,7 +255,7 @@ class Page:
     def _repr_html_(self) -> str:
         from html import escape
 
-        # A frame keeps its styles and scripts away from the notebook's.
+        # In a frame, styles and scripts of the page do not affect the notebook.
         return f'<iframe srcdoc="{escape(self.html, quote=True)}" sandbox="allow-scripts" ' 'style="width:100%;height:40em;border:0"></iframe>'
 
     def __repr__(self) -> str:

@@ -14,7 +14,7 @@ from ._results import _Answer
 if TYPE_CHECKING:
     import pandas
 
-_FIRST = 15  # data of a report
+_FIRST = 15  # numbers that a report lists
 
 
 class Sensitivity(_Answer):
@@ -26,7 +26,7 @@ class Sensitivity(_Answer):
     """
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return one row per prediction, state and datum, the largest change first.
+        """Return one row per prediction, operating point and datum, with the largest change first.
 
         Sobol' indices add the columns ``first`` and ``total``, and half the width of the 95 % interval of each index.
         """
@@ -51,7 +51,7 @@ class Sensitivity(_Answer):
         return list(self.data["does_not_enter"])
 
     def text(self) -> str:
-        """Return a text with a table of the most influential data for each prediction and state."""
+        """Return text with a table of the most influential data for each prediction and operating point."""
         blocks = [_block(p) for p in self.data["predictions"]]
         if self.does_not_enter:
             blocks.append("no influence: " + ", ".join(self.does_not_enter))

@@ -121,7 +121,7 @@ def _one_slab(asked: argparse.Namespace, work: Callable[[Any], Any], names: list
                 read_slab(there)
                 return f"{path}: exists already, {slab.last - slab.first} items"
         except CutOff:
-            pass  # this task makes its own slab again, other tasks make theirs
+            pass  # this task computes its own slab again, and other tasks compute their slabs
     outcomes = storable(work_on(work, items[slab.first : slab.last], asked.threads))
     write_slab(asked.folder, slab, made_from, names[slab.first : slab.last], outcomes, len(items))
     sweep._said(sweep.Sweep(names[slab.first : slab.last], outcomes))
@@ -136,7 +136,7 @@ def _merge(asked: argparse.Namespace) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([_guarded(column) for column in [*columns, "error"]])
-    # csv writes all digits of a float that are needed to read the same number again.
+    # csv writes enough digits of a float to read exactly the same number again.
     writer.writerows([_guarded(row.get(column)) for column in [*columns, "error"]] for row in rows)
     if asked.output == "-":
         sys.stdout.write(text.getvalue())

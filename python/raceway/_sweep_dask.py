@@ -64,7 +64,7 @@ def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
         def __init__(self, *given: Any, **named: Any) -> None:
             super().__init__(*given, **{**named, "dashboard": False})
 
-    # For short items. By default a worker has 50 ticks and 100 profile samples a second, and returns memory to the system after
+    # These settings suit short items. By default a worker has 50 ticks and 100 profile samples a second, and returns memory to the system after
     # each item, to request it again (a seventh of the time of an identification).
     calm: dict[str, Any] = {
         "distributed.admin.tick.interval": "500ms",
@@ -75,7 +75,7 @@ def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
     }
     if not dashboard:
         calm["distributed.scheduler.http.routes"] = []
-    # There is always an HTTP server. Without an address it would listen on all interfaces.
+    # Each worker has an HTTP server. Without an address, this server would listen on all interfaces.
     loopback = "127.0.0.1:0"
     security = _security()
     with tempfile.TemporaryDirectory(prefix="raceway-") as private, dask.config.set(calm), distributed.LocalCluster(
@@ -145,7 +145,7 @@ def run_on(
     pieces: dict[Slab, dict[int, Outcome]] = {}
     flying: dict[Any, tuple[Slab, int | None]] = {}
     sets = {_engine.instruction_set()}
-    alone = False  # said once
+    alone = False  # True after the warning that no worker is left
     workers, looked = count_workers(client), time.monotonic()
 
     def submit(slab: Slab, at: int | None) -> None:

@@ -69,7 +69,7 @@ def _plain(value: Any, arrays: list[numpy.ndarray]) -> Any:
         return {"complex": [value.real, value.imag]}
     if (kind is numpy.ndarray or isinstance(value, numpy.generic)) and not value.dtype.hasobject:
         array = numpy.asarray(value)
-        # Unpickled dates have metadata of their type, which npz does not keep.
+        # The type of unpickled dates has metadata, which npz does not keep.
         arrays.append(array if array.dtype.metadata is None else array.astype(array.dtype.str))
         return {"array" if kind is numpy.ndarray else "scalar": len(arrays) - 1}
     raise NoData(f"is a {kind.__name__}")
@@ -98,7 +98,7 @@ def _value(plain: Any, arrays: Sequence[numpy.ndarray]) -> Any:
 
 def _arrays(content: bytes) -> list[numpy.ndarray]:
     with zipfile.ZipFile(io.BytesIO(content)) as file:
-        # As savez writes them. A compressed array could be larger than the memory.
+        # Only arrays as savez writes them, because a compressed array could be larger than the memory.
         if any(part.compress_type != zipfile.ZIP_STORED for part in file.infolist()):
             raise ValueError("a compressed array")
     with numpy.load(io.BytesIO(content), allow_pickle=False) as file:

@@ -61,7 +61,7 @@ def cut(items: int, of: int) -> list[Slab]:
     return [Slab(k + 1, of, items * k // of, items * (k + 1) // of) for k in range(of)]
 
 
-# Python's warnings and the number of threads belong to the whole process.
+# Warning filters and the number of threads apply to the whole process.
 _one_at_a_time = threading.Lock()
 
 

@@ -286,7 +286,7 @@ def _diagnosis(data: dict[str, Any]) -> list[str]:
     for effect in named:
         for name, p in effect["parameters"].items():
             lines += _parameter(f"{effect_name(effect)}.{name}", p, None)
-    # Without an explanation both are those of the model alone.
+    # Without an explanation, both are the values of the model without an added effect.
     explained = bool(data.get("explanations"))
     for name, p in data["base_parameters"].items():
         lines += _parameter(name, {**p, "value": p["after"]}, p["before"] if explained else None)

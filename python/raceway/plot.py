@@ -24,7 +24,7 @@ from ._plot_spindle import spindle_run
 
 __all__ = ["campbell", "contact_angles", "ladder", "record", "residuals", "spindle_run", "stribeck"]
 
-NEAR = 0.1  # a reading belongs to a curve if its setting is within this share of the curve's value
+NEAR = 0.1  # a reading has the marker of a curve if its setting differs by at most this share
 
 
 def _columns(by: str | Sequence[str] | None) -> list[str]:
@@ -89,7 +89,7 @@ def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", mea
         rows = rows.sort_values("speed_rpm")
         look = draw.style(i)
         if readings is not None:
-            look["marker"] = None  # marks are the readings
+            look["marker"] = None  # markers are only for readings
         speed = draw.numbers(rows, "speed_rpm", caller)
         torque = draw.numbers(rows, "friction_torque_Nmm", caller)
         ax.plot(speed, torque, label=draw.value_text(columns, values) or "computed", markevery=draw.markevery(len(rows), i), **look)
@@ -319,7 +319,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
         raise ValueError(f"{caller}: no speed has modes; the key report of each row gives the reason")
     ax, own = draw.axes_for(ax, caller)
     speeds = np.array([row["speed_rpm"] for row in rows])
-    # Backward whirl after forward whirl: where both are close, its dashes are visible on the solid line.
+    # Backward whirl is drawn after forward whirl, so that its dashes are visible on a solid line nearby.
     looks = {"forward": ("-", "#0072B2", "forward whirl"), "backward": ("--", "#D55E00", "backward whirl"), "standing": (":", "#009E73", "standing")}
     for whirl, (line, colour, words) in looks.items():
         for i, branch in enumerate(_branches(rows, whirl)):
@@ -335,7 +335,7 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
                 label=words if i == 0 else None,
             )
     top = ax.get_ylim()[1]
-    # The line 1× needs a length also if the only speed is 0.
+    # The line 1× needs a length even if the only speed is 0.
     end = speeds[-1] if speeds[-1] > 0.0 else 1000.0
     ax.plot([0.0, end], [0.0, end / 60.0], color=mpl.rcParams["text.color"], linewidth=0.9, label="1×")
     ax.set_ylim(0.0, max(top, 1.05 * end / 60.0))

@@ -63,6 +63,7 @@ class Failure:
     kind : str
         Class of the error, such as ``"InputError"``.
     message : str
+        Text of the exception.
     traceback : str
         Traceback of the exception, as Python prints it.
     """
@@ -90,11 +91,12 @@ class ItemDoubt:
 class Sweep(Mapping[str, Any]):
     """Outcomes of all items, by name and in the order of the items.
 
-    ``sweep[name]`` raises an error for an item that failed. `values` has None for this item.
+    ``sweep[name]`` raises RuntimeError for an item that failed. `values` has None for this item.
 
     Attributes
     ----------
     names : list of str
+        Names of the items.
     failures : list of Failure
         Items that raised an exception, in the order of the items.
     doubts : list of ItemDoubt
@@ -110,11 +112,11 @@ class Sweep(Mapping[str, Any]):
         self.doubts = [ItemDoubt(n, text) for n, o in zip(self.names, outcomes, strict=True) for text in o.doubts]
 
     def values(self) -> list[Any]:  # type: ignore[override]
-        """Return the values in the order of the items, None for an item that failed."""
+        """Return the values in the order of the items, with None for an item that failed."""
         return list(self._values)
 
     def items(self) -> list[tuple[str, Any]]:  # type: ignore[override]
-        """Return pairs of name and value, None for an item that failed."""
+        """Return pairs of name and value, with None as the value of an item that failed."""
         return list(zip(self.names, self._values, strict=True))
 
     def __getitem__(self, name: str) -> Any:
@@ -203,7 +205,7 @@ def run(
     Returns
     -------
     Sweep
-        Outcomes in the order of the items. A `raceway.Doubt` gives the number of items that failed or gave warnings.
+        Outcomes in the order of the items. A warning `raceway.Doubt` gives the number of items that failed or caused warnings.
 
     Raises
     ------
@@ -297,6 +299,7 @@ def solve(
     Parameters
     ----------
     model : raceway.Model
+        Model to solve.
     speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm, columns
         See `raceway.Model.solve`.
     states : int
