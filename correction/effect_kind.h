@@ -58,11 +58,12 @@ struct Surroundings {
   [[nodiscard]] std::vector<const Channel*> unused(bool (*is_of_kind)(const Channel&)) const;
 };
 
-/// A model fitted to a record, with its residual.
+/// A fitted model with its record and residual.
 struct FittedRecord {
   const Model& model;
   const Series& series;
-  std::span<const double> left;  ///< residual [m] by row; NaN without a reading
+  /// Reading minus prediction [m] at each row; NaN without a reading.
+  std::span<const double> left;
 };
 
 /// Behaviour of an effect on a displacement over time. Each effect of the catalogue is a struct in
