@@ -30,7 +30,7 @@ struct Band {
   /// Domain:   records that start at rest. For a machine that is warm at the start, the initial
   ///           states and the offset are fitted to the record. They are assumed exact.
   /// Accuracy: linear in the parameters. g is computed by central differences along the principal
-  /// axes of C.
+  ///           axes of C.
   [[nodiscard]] std::vector<double> half_width() const;
 };
 

@@ -19,8 +19,8 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Linear interpolation between points with rising x. Below the first point, its value is used;
-  /// above the last point, its value is used.
+  /// Linear interpolation between points with rising x. Outside the points, the value of the
+  /// nearest point is used.
   struct Table {
     std::vector<double> input, value;
   };

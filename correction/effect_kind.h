@@ -30,8 +30,8 @@ struct EffectCard {
   bool by_column = false;
   bool by_window = false;   ///< true: the effect may be limited to a range of an axis position
   bool of_reading = false;  ///< true: valid only for the record of the fit, not for a control
-  /// True for a fault that faults() finds in the record. Such an effect has no parameter, and a
-  /// model never contains it.
+  /// True for a fault that faults() finds in the record. It has no parameter, and a model never
+  /// contains it.
   bool evidence = false;
   bool needs_input = false;  ///< true: a file must name the columns of the effect
 };
@@ -62,7 +62,7 @@ struct Surroundings {
 struct FittedRecord {
   const Model& model;
   const Series& series;
-  /// Reading minus prediction [m] at each row; NaN without a reading.
+  /// Residual as reading minus prediction [m], one value per row; NaN without a reading.
   std::span<const double> left;
 };
 
@@ -109,9 +109,9 @@ class EffectKind {
   /// Returns faults of this kind that the record shows, such as a loose sensor. Default: none.
   [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
-  /// Returns the contribution of the effect to the displacement.
+  /// Returns the contribution of the effect to the displacement. Default: none.
   [[nodiscard]] virtual Share share(const Effect& effect, const Model& model) const;
-  /// Changes the response of the channel on which the effect acts.
+  /// Enters in `answer` how the effect changes the lags of its channel. Default: no change.
   virtual void change(const Effect& effect, const Model& model, Answer& answer) const;
 
  protected:

@@ -57,14 +57,14 @@ class UnknownsFilter {
     double mean = 0.0;
     double variance = 0.0;  ///< variance of the sum, without the noise of a reading
   };
-  /// Returns the expected mean and variance of the sum with these weights, at the time dt [s] after
-  /// the last update.
+  /// Returns the expected mean and variance of the sum with these weights, at a time dt [s] from
+  /// now.
   [[nodiscard]] Expected expected(std::span<const double> weights, double dt) const;
 
   /// Advances the filter by the time dt [s] without a reading.
   void advance(double dt);
-  /// Updates the unknowns with a reading of the weighted sum at the time of the last update.
-  /// `reading_std` is the standard deviation of its noise.
+  /// Updates the unknowns with a reading of their weighted sum at the present time. `reading_std`
+  /// is the standard deviation of its noise.
   void learn(std::span<const double> weights, double reading, double reading_std);
   /// Sets one unknown to 0 with its initial standard deviation, and its covariance with the others
   /// to 0.

@@ -26,14 +26,14 @@ struct IdentifyOptions {
 struct StructureTried {
   std::vector<std::string> channels{};
   std::vector<int> orders{};                 ///< number of lags in each channel
-  double rms_held_out = unset, rms = unset;  ///< [m]
+  double rms_held_out = unset, rms = unset;  ///< rms errors on held-out parts and of the fit [m]
   bool taken = false;
 };
 
 /// Error of a fit to the first part of a record, tested on all later readings.
 struct AheadError {
   double from = unset;  ///< end of the fitted part, counted from the first row [s]
-  double rms = unset;   ///< [m]
+  double rms = unset;   ///< rms error on the later readings [m]
 };
 
 /// Strength λ and speed weight s that identify_lag_bank() tried: see lag_bank.h.
@@ -48,16 +48,16 @@ struct StrengthTried {
 struct Identification {
   Model model{};  ///< model with fitted parameters, input ranges and covariance
   std::vector<StructureTried> tried{};  ///< structures in the order of the search
-  /// Fitted parameters with standard errors; without them for a bank of lags.
+  /// Fitted parameters with standard errors. A bank of lags has no standard errors.
   std::vector<record::Parameter> parameters{};
   std::vector<StrengthTried> strengths{};  ///< for a bank of lags: strengths that were tried
   std::vector<AheadError> ahead{};         ///< for a bank of lags: error after each initial part
   Metrics metrics{};            ///< errors on the record, with a fitted zero for each run
-  double rms_held_out = unset;  ///< [m]
+  double rms_held_out = unset;  ///< rms error on held-out readings [m]
   double condition = unset;
   double correlation_time = unset;  ///< correlation time of the residual [s]
-  /// P-value of the Ljung-Box test for white noise in the residual, over 20 lags; NaN: not
-  /// computed.
+  /// P-value of the Ljung-Box test for white noise in the residual, over 20 lags; NaN for fewer
+  /// than 60 residuals.
   double whiteness_p_value = unset;
   double noise = unset;  ///< standard deviation of the noise of a reading [m]
   fit::NoiseSource noise_source = fit::NoiseSource::none;

@@ -12,12 +12,12 @@ namespace raceway::correction {
 /// collet, a probe or a cable can cause a jump.
 ///
 /// For each pair of successive readings, one straight line is fitted to the readings of about ten
-/// minutes up to the pair, and another line to the readings of about ten minutes after it. Each
-/// line uses 3 to 20 readings. The gap is the distance between the two lines halfway between the
-/// two readings. Without a jump, the gap is due only to noise and curvature. A gap is a jump if it
-/// exceeds five times the robust standard deviation, 1.48 times the median of all gaps. Gaps within
-/// ten minutes of a speed change are ignored, because the kinematic displacement changes there.
-/// Slow changes of any size are not jumps.
+/// minutes up to the earlier reading, and another line to the readings of about ten minutes from
+/// the later reading on. Each line uses 3 to 20 readings. The gap is the distance between the two
+/// lines at the time halfway between the two readings. Without a jump, the gap is due only to noise
+/// and curvature. A gap is a jump if it exceeds five times the robust standard deviation, 1.48
+/// times the median of all gaps. Gaps within ten minutes of a speed change are ignored, because the
+/// kinematic displacement changes there. Slow changes of any size are not jumps.
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
 

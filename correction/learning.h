@@ -112,8 +112,8 @@ struct Learning {
 /// also outside this limit, it resets the zero in two cases: it agrees with the rejected reading,
 /// or the two readings before it were rejected.
 ///
-/// Source:   a Kalman filter. The standard deviations and times were chosen on the record of
-///           docs/correction.md.
+/// Source:   a Kalman filter. The standard deviations and times are our choice, based on the record
+///           of docs/correction.md with models from three initial parts of this record.
 /// Domain:   time records. A channel has additional lags only if it has first-order lags and the
 ///           model contains the range of its input.
 /// Accuracy: the standard deviation of the prediction depends on the values assumed above.

@@ -74,8 +74,8 @@ struct Input {
   /// Returns true if the channel has no input.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
   /// Returns the unit of the input in gains: unit() in the form for text, such as "K" or "m/min",
-  /// and key_unit() in the form for keys, such as "K" or "m_min". factor() returns one such unit in
-  /// SI.
+  /// and key_unit() in the form for keys, such as "K" or "m_min". factor() returns the SI value of
+  /// this unit.
   [[nodiscard]] std::string_view unit() const;
   [[nodiscard]] std::string_view key_unit() const;
   [[nodiscard]] double factor() const;
@@ -89,18 +89,18 @@ struct Section {
   double time_constant = unset;  ///< [s]
 };
 
-/// Channel: the contribution to the displacement that one input drives.
+/// Channel: a contribution to the displacement that one input drives.
 struct DrivenChannel {
   std::string name{};
   Input input{};
   std::vector<Section> sections{};
   double feedthrough = 0.0;  ///< instant displacement [m] per SI unit of the input
-  /// Factor on the whole channel, for example to adapt it to another spindle of this type.
+  /// Factor on the whole channel, for example for another spindle of the same type.
   double scale = 1.0;
-  /// Replaces the sections by a gain and a time constant that depend on the power or load.
+  /// If set, replaces `sections` by a gain and a time constant that depend on the power or load.
   std::optional<DelayElement> element{};
-  /// Replaces the sections by a transfer function with published coefficients for one sampling
-  /// time.
+  /// If set, replaces `sections` by a transfer function with published coefficients for one
+  /// sampling time.
   std::optional<TransferFunction> printed{};
 };
 
@@ -135,7 +135,7 @@ struct NumberPrior {
   record::Prior prior{};
 };
 
-/// Range of a column in the data of the fit.
+/// Range of an input in the data of the fit.
 struct SeenRange {
   const Channel* column = nullptr;      ///< null: the power of a channel
   std::string name{};                   ///< name of the column or the channel
@@ -184,7 +184,7 @@ struct Model {
   std::vector<DrivenChannel> channels{};
   std::optional<Kinematic> kinematic{};
   std::vector<Effect> effects{};
-  /// Names of free parameters or of groups such as "gains": see free_names(). Empty: the default.
+  /// Names of free parameters, or of groups such as "gains"; empty: the default of free_names().
   std::vector<std::string> free{};
   std::vector<NumberPrior> priors{};
   std::vector<SeenRange> range{};

@@ -69,7 +69,7 @@ class OwnEffect final : public EffectKind {
   EffectCard card_;
 };
 
-/// Returns the record column that this name denotes in a formula; null if there is none.
+/// Returns the record column that has this name in formulas; null if there is none.
 [[nodiscard]] const Channel* column_of_formula(std::string_view name);
 
 }  // namespace raceway::correction

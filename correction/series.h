@@ -14,7 +14,7 @@
 
 namespace raceway::correction {
 
-/// Changes of the gain and the time constant τ of a channel's lags. Effects make these changes.
+/// Changes that effects make to the gain and the time constant τ of a channel's lags.
 struct Answer {
   double sensor_time_constant = 0.0;               ///< of the sensor [s]: see effects/sensor_lag.h
   double off_gain = 1.0, off_time_constant = 1.0;  ///< factors on gain and τ while coolant_on is 0
@@ -46,8 +46,8 @@ class Series {
   [[nodiscard]] const Clock& clock() const { return clock_; }
   /// Time since the first row of the run [s].
   [[nodiscard]] std::span<const double> time() const { return time_; }
-  /// Index of the reference (zero) of the displacement at each row. A run has one reference for
-  /// each value of setup_id in it.
+  /// Index of the reference (zero) of the displacement at each row. Each run has one reference for
+  /// each value of setup_id.
   [[nodiscard]] std::span<const int> zero() const { return zero_; }
   [[nodiscard]] int zeros() const { return zeros_; }
   [[nodiscard]] std::span<const double> speed_rpm() const { return speed_rpm_; }

@@ -22,7 +22,7 @@ struct StepResponse {
   };
   std::vector<Part> parts{};
   double at_once = 0.0;               ///< instant displacement [m]
-  double sensor_time_constant = 0.0;  ///< time constant of the sensor by sensor-lag [s]
+  double sensor_time_constant = 0.0;  ///< time constant of the effect sensor-lag [s]
   /// Displacement at each sample [m]. Published coefficients have this list instead of `parts`.
   std::vector<double> sampled{};
   double sampling = unset;  ///< [s]

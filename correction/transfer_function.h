@@ -82,7 +82,7 @@ struct TransferFunctionCheck {
   std::vector<std::complex<double>> poles{};  ///< poles with common roots, the largest first
   /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
-  double dc_gain = unset;  ///< in the unit of a(0)
+  double dc_gain = unset;  ///< final displacement per unit step, in the unit of a(0)
   /// 5th and 95th percentile of the DC gain in 4000 random draws. A draw varies all coefficients
   /// within the rounding of their last digits. `unstable_share` is the share of draws with a pole
   /// on or outside the unit circle.

@@ -28,7 +28,7 @@ struct Trust {
 /// error without a correction.
 [[nodiscard]] double uncorrected_rms(const Model& model, const record::Record& record);
 
-/// Returns the evidence for a model from the record to which it was fitted. `error` is the rms
+/// Returns the Evidence for a model from the record to which it was fitted. `error` is the rms
 /// error on held-out readings [m]; NaN if none were held out.
 [[nodiscard]] Evidence evidence_on(const Model& model, const record::Record& record, double error);
 

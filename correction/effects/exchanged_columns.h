@@ -5,9 +5,9 @@
 namespace raceway::correction {
 
 /// Two temperature columns have exchanged names, because two plugs or two headers were exchanged.
-/// faults() returns a record with exchanged columns for each pair of temperatures with at least one
-/// input of the model. Columns with jumps are left out, and so are pairs whose mean drives a
-/// channel.
+/// For each pair of temperatures with at least one input of the model, faults() returns the record
+/// with the two columns exchanged. Columns with jumps are left out, and so are pairs whose mean
+/// drives a channel.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",
