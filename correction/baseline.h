@@ -9,55 +9,56 @@
 #include "correction/model.h"
 #include "record/record.h"
 
-/// Fits simple models for comparison. A useful correction must be better than these models.
+/// Fits simple models for comparison with a correction. A useful correction has a smaller error.
 namespace raceway::correction {
 
-/// Fits a multiple linear regression on the inputs of the model's channels and on further columns.
-/// Each input becomes a channel with only a feedthrough, so the result runs like every other model.
-/// The model has no memory and extrapolates linearly. The fit leaves out channels driven by a
-/// power, inputs that never vary, and inputs that depend linearly on other inputs. A message names
-/// each input that is left out. Standard errors are widened for the autocorrelation of the
-/// residual. The held-out error comes from eight parts of the record. Each of these parts is
-/// predicted with coefficients that are fitted to the other seven.
+/// Fits a multiple linear regression of the displacement on the inputs of the model's channels and
+/// on the columns `offered`. Each input becomes a channel with only a feedthrough, so the result is
+/// simulated like every other model. It has no memory and extrapolates linearly. The fit leaves out
+/// channels driven by a power, inputs that never vary, and inputs that depend linearly on other
+/// inputs. A message names each omitted input. The standard errors include the autocorrelation of
+/// the residual. For the held-out error, eight parts of the record are each predicted with
+/// coefficients that are fitted to the other seven.
 ///
-/// Throws std::invalid_argument if no input varies or there are too few readings.
+/// Throws std::invalid_argument if no input varies, or if there are fewer than three readings per
+/// coefficient.
 /// Source:   least squares by QR decomposition, see regression.h.
 [[nodiscard]] Identification regression_baseline(const Model& model,
                                                  const std::vector<const Channel*>& offered,
                                                  const record::Record& record);
 
-/// Returns true if a model consists only of instant channels driven by columns, as a linear
-/// regression does.
+/// Returns true if all channels of a model respond to columns instantly, as in a linear regression.
 [[nodiscard]] bool is_regression(const Model& model);
 
-/// Returns the channels of a model that a regression or an ARX model can use, without their
-/// sections. Channels driven by a power are left out. The result also has one channel for each
-/// further column. Throws std::invalid_argument if there are no such channels.
+/// Returns the channels of a model without their sections, for a regression or an ARX model.
+/// Channels driven by a power are left out, with a message. Each column in `offered` that does not
+/// drive a channel yet adds one channel. Throws std::invalid_argument if the result would be empty.
 [[nodiscard]] std::vector<DrivenChannel> bare_channels(const Model& model,
                                                        const std::vector<const Channel*>& offered,
                                                        std::vector<record::Note>& messages);
 
-/// ARX model: predicts a reading from earlier readings and inputs.
+/// ARX model: predicts the reading y at step k from earlier readings and from the inputs u_j.
 ///
 ///   y(k) = sum_i a_i y(k-i) + sum_ij b_ij u_j(k-i) + c,   i = 1..n of y, 0..n of u
 ///
 /// Source:   least squares of the one-step prediction [Ljung1999, sec. 4.2].
-/// Traps:    each step starts from readings, so even wrong poles give a good one-step fit. If
-///           readings are close in time or have a coarse resolution, a good fit only means that the
-///           next reading is similar to the last one. A control uses the simulation, which has no
-///           readings. Noise of the readings moves the estimated poles towards 0.
+/// Traps:    a one-step prediction starts from readings, so it is good even with wrong poles. If
+///           readings are close in time or have a coarse resolution, a good one-step prediction
+///           only means that the next reading resembles the last one. A control has no readings and
+///           needs the simulation. Noise of the readings moves the estimated poles towards 0.
 struct ArxFit {
   int order = 0;
   Metrics one_step{}, simulated{};
-  /// Errors over the second half of the record, simulated with the fit to the first half.
+  /// Errors of a simulation of the second half of the record, with coefficients fitted to the first
+  /// half.
   Metrics second_half{};
   std::vector<std::complex<double>> poles{};  ///< poles in z, the largest first
   /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
   bool stable = false;
-  /// Channels as transfer functions, one for each input, with a common denominator.
+  /// One channel for each input, with a transfer function. All have the same denominator.
   std::vector<DrivenChannel> channels{};
-  double offset = 0.0;  ///< displacement for zero inputs: first reading + fitted constant [m]
+  double offset = 0.0;  ///< displacement for zero inputs [m]
 };
 
 struct ArxBaseline {
@@ -67,18 +68,18 @@ struct ArxBaseline {
   std::vector<ArxFit> fits{};  ///< one fit for each order, in rising order
   std::vector<record::Note> messages{};
 
-  /// Returns the stable order with the smallest error over the second half, simulated with the fit
-  /// to the first half; null if no order is stable.
+  /// Returns the stable fit with the smallest rms in `second_half`; null if no stable fit has a
+  /// finite rms there.
   [[nodiscard]] const ArxFit* best() const;
 };
 
-/// Returns a model whose channels are the transfer functions of `fit`. This model is valid only for
-/// the sampling interval of the baseline.
+/// Returns a model whose channels are the transfer functions of `fit`. It is valid only for records
+/// with the sampling interval of `baseline`.
 [[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
 /// Fits ARX models of the orders `lowest` to `highest` on an even time grid. The step of the grid
-/// is the median interval between readings. Throws std::invalid_argument if there is no input or
-/// there are too few readings.
+/// is the median interval between readings. Throws std::invalid_argument if there is no input, or
+/// if there are too few readings for the coefficients.
 [[nodiscard]] ArxBaseline arx_baseline(const Model& model,
                                        const std::vector<const Channel*>& offered,
                                        const record::Record& record, int lowest, int highest);

@@ -15,15 +15,14 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// Evaluates a law at x. Within the range of the fit, the law itself is used. Beyond this range,
-/// the result never changes faster than the tangent at the edge:
+/// Evaluates a law y(x) at x. Within the range `seen` of the fit, the result is the law. Beyond
+/// this range, the result changes no faster than the tangent at the edge of the range:
 ///
 ///   y(edge) + the smaller change of   law(x) - y(edge)   and   y'(edge) (x - edge)
 ///
 /// If the two changes have different signs, the value at the edge is used. The result lies between
 /// the value at the edge and the law, so it is positive if the law is positive.
-/// Accuracy: the slope at the edge is a finite difference inside the range, over a millionth of the
-///           range.
+/// Accuracy: the slope y'(edge) is a finite difference over a millionth of the range.
 template <typename Law>
 [[nodiscard]] double continued(const Law& law, const Interval& seen, double x) {
   if (!(x < seen.lower) && !(x > seen.upper)) return law(x);

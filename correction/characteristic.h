@@ -9,8 +9,8 @@
 
 namespace raceway::correction {
 
-/// Gain or time constant of a delay element [SI] as a function of the input x. The input is a power
-/// in W or a load in N.
+/// Gain [m] or time constant [s] of a delay element as a function of its input x. The input is a
+/// power in W or a load in N.
 class Characteristic {
  public:
   struct Line {
@@ -19,8 +19,8 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Linear interpolation between points with rising x. Before the first point and after the last
-  /// one, the value of that point is used.
+  /// Linear interpolation between points with rising x. Outside the points, the value of the
+  /// nearest point is used.
   struct Table {
     std::vector<double> input, value;
   };
@@ -28,15 +28,15 @@ class Characteristic {
 
   Characteristic(Line line) : form_(line) {}
   Characteristic(Power power) : form_(power) {}
-  /// Throws std::invalid_argument for an empty table, for different numbers of inputs and
-  /// values, and for values of x that do not rise.
+  /// Throws std::invalid_argument if the table is empty, if the numbers of inputs and values
+  /// differ, or if the inputs do not rise.
   Characteristic(Table table);
 
   [[nodiscard]] double operator()(double input) const;
-  /// Returns the range around x = 0 in which the value is positive, including `lower` and excluding
-  /// `upper`. A limit is infinite if the value remains positive on that side. The range of a power
-  /// law begins at 0, because the law is not defined below. If the value at 0 is not positive, both
-  /// limits are 0.
+  /// Returns the range of x around 0 in which the value is positive, including `lower` and
+  /// excluding `upper`. A limit is infinite if the value remains positive on that side. For a power
+  /// law with a positive factor, `lower` is 0. If the value of a line or a table at 0, or the
+  /// factor of a power law, is not positive, both limits are 0.
   [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 

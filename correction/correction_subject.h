@@ -11,7 +11,7 @@
 
 namespace raceway::correction {
 
-/// Correction model of one displacement over time, for calibrate(), diagnose() and add().
+/// Correction model of one displacement, in the form that calibrate(), diagnose() and add() fit.
 class CorrectionSubject : public fit::Subject {
  public:
   explicit CorrectionSubject(Model model);
@@ -26,13 +26,13 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// Returns the subject with the limits on time constants from the record, with the available
-  /// columns, and with a zero for each run. The ranges, covariance and evidence of other records
-  /// are removed, because the new parameters will come from this record.
+  /// Returns the subject prepared for a fit to this record: with limits for the time constants, the
+  /// list of input columns that vary, and a fitted zero for each run. The input ranges, covariance,
+  /// residual and held-out error of an earlier fit are removed.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// Takes the input range of `model`, which informed_by() removes. Use this function to apply the
-  /// parameters of that model to another record.
+  /// Copies the input ranges of `model`, which informed_by() removes. Call it to apply the fitted
+  /// parameters of `model` to another record.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -45,27 +45,27 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns the full id of the candidate that the user named, such as
-  /// "second-time-constant:ambient". The user may omit the part after the colon if only one
-  /// candidate has this effect id, and may name the first channel although its full id omits it.
-  /// Unknown ids are returned unchanged. Throws std::invalid_argument if the name is ambiguous.
-  /// Call this function on the result of informed_by().
+  /// Returns the full id, such as "second-time-constant:ambient", of the effect that the user
+  /// named. The user may omit the channel or column after the colon if only one possible effect has
+  /// this id. The full id omits the name of the first channel, but the user may write it. Unknown
+  /// ids are returned unchanged. Throws std::invalid_argument if several effects match. Call it on
+  /// the result of informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
   /// Returns the possible faults of the record: exchanged columns, a loose sensor, and a sensor
-  /// with coarse resolution (see correction/effects/). Call this function on a fitted model.
+  /// with coarse resolution (see correction/effects/). Call it on a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
-  /// Returns eight consecutive parts of the record with equal numbers of readings; empty for fewer
-  /// than 16 readings. If the record has several runs and an input varies mainly in one of these
-  /// parts, each run is split into eight parts instead. A part that contains nearly all variation
-  /// of an input is never held out. If the initial state is free, the first part is not held out
-  /// either.
+  /// Returns the parts of the record that a test of the prediction holds out: eight consecutive
+  /// parts with equal numbers of readings, or an empty list for fewer than 16 readings. If the
+  /// record has several runs and an input varies mainly in one part, each run is split into eight
+  /// parts instead. A part that contains nearly all variation of an input is never held out, nor is
+  /// the first part if `initial_state` is "free".
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// Unknowns that are not parameters of the model [m]: the zero of each run or clamping after the
-  /// first, and the initial states if `initial_state` is "free".
+  /// Fitted unknown of the record that is not a parameter of the model [m]: the zero of a later run
+  /// or setup, or the initial state of a lag if `initial_state` is "free".
   struct Beginning {
     fit::Parameter parameter{};
-    int zero = 0;  ///< index of the zero; a state has a channel and a section instead
+    int zero = 0;  ///< index of the zero; unused for an initial state
     std::size_t channel = 0, section = 0;
     bool is_state = false;
   };
@@ -86,8 +86,8 @@ class CorrectionSubject : public fit::Subject {
   std::vector<Beginning> beginnings_{};
 };
 
-/// Returns the model of a correction subject. Throws std::invalid_argument for a subject of another
-/// kind.
+/// Returns the model of a CorrectionSubject. Throws std::invalid_argument if `subject` is not a
+/// CorrectionSubject.
 [[nodiscard]] const Model& model_of(const fit::Subject& subject);
 
 }  // namespace raceway::correction

@@ -13,57 +13,57 @@
 
 namespace raceway::correction {
 
-/// Description of an effect on a displacement over time.
+/// Description of an effect, a physical mechanism that changes a displacement over time.
 struct EffectCard {
   std::string_view id;
   std::string_view title;
-  std::string_view form;      ///< formula with u: input, x: state, y: displacement
-  std::string_view needs;     ///< description of the record that the effect needs
-  std::string_view confused;  ///< effects with a similar influence
-  /// Parameters in the units of files. The unit "um/u" means um per unit of the input.
+  std::string_view form;  ///< formula with the input u, the state x of a lag and the displacement y
+  std::string_view needs;     ///< properties of a record in which the effect can be identified
+  std::string_view confused;  ///< effects with a similar influence on the displacement
+  /// Parameters in the units of the model file. The unit "um/u" means um per unit of the input.
   std::span<const record::NumberCard> numbers;
-  std::size_t size = 0;     ///< index of the parameter whose neutral value switches the effect off
-  bool of_channel = false;  ///< true: changes a channel's response; false: adds to the displacement
-  bool at_channel = false;  ///< true: `where` names a channel; empty means the first one
-  /// True if the full id contains a column: the column that drives the effect, or the column of its
-  /// window.
+  std::size_t size = 0;  ///< index of the parameter whose neutral value switches the effect off
+  /// True: changes the response of a channel; false: adds to the displacement.
+  bool of_channel = false;
+  bool at_channel = false;  ///< true: `Effect::where` names a channel; empty: the first channel
+  /// True if full_id() contains a column: the one that drives the effect, or the one of its window.
   bool by_column = false;
-  bool by_window = false;   ///< true: may be limited to a range of an axis position
-  bool of_reading = false;  ///< true: valid only for this record, and not for a control
-  /// True if the record itself shows the effect; such an effect has no parameter and is never
-  /// switched on.
+  bool by_window = false;   ///< true: the effect may be limited to a range of an axis position
+  bool of_reading = false;  ///< true: valid only for the record of the fit, not for a control
+  /// True for a fault that faults() finds in the record. It has no parameter, and a model never
+  /// contains it.
   bool evidence = false;
   bool needs_input = false;  ///< true: a file must name the columns of the effect
 };
 
-/// Properties of a record that determine on which channels and columns effects can act.
+/// Model and record properties that determine on which channels and columns effects can act.
 struct Surroundings {
   const Model& model;
-  std::span<const Channel* const> varying{};  ///< inputs of the record that vary
+  std::span<const Channel* const> varying{};  ///< input columns that vary in the record
   std::span<const Interval> ranges{};         ///< range of each varying input [SI]
   std::span<const double> jump_times{};       ///< times at which the displacement jumps [s]
   double end = 0.0;                           ///< end of the record: 1 s after the last row [s]
 
   [[nodiscard]] bool varies(const Channel& column) const;
-  /// Returns true if the first channel has lags, which effects can modify.
+  /// Returns true if the first channel has lags that an effect can change.
   [[nodiscard]] bool first_channel_lags() const {
     return !model.channels.empty() && !model.channels.front().sections.empty();
   }
-  /// Returns the name of the channel on which an effect acts. The name is empty for the first
-  /// channel.
+  /// Returns the value of Effect::where for an effect on this channel: its name, or an empty text
+  /// for the first channel.
   [[nodiscard]] std::string where(const DrivenChannel& channel) const {
     return &channel == &model.channels.front() ? std::string() : channel.name;
   }
-  /// Returns the columns that vary, that the model does not use as inputs, and for which
-  /// `is_of_kind` is true.
+  /// Returns the columns that vary, are not inputs of the model, and satisfy `is_of_kind`.
   [[nodiscard]] std::vector<const Channel*> unused(bool (*is_of_kind)(const Channel&)) const;
 };
 
-/// A model fitted to a record, with its residual.
+/// A fitted model with its record and residual.
 struct FittedRecord {
   const Model& model;
   const Series& series;
-  std::span<const double> left;  ///< residual [m] by row; NaN without a reading
+  /// Residual as reading minus prediction [m], one value per row; NaN without a reading.
+  std::span<const double> left;
 };
 
 /// Behaviour of an effect on a displacement over time. Each effect of the catalogue is a struct in
@@ -77,25 +77,26 @@ class EffectKind {
 
   [[nodiscard]] virtual const EffectCard& card() const = 0;
 
-  /// Returns one effect with initial values for each channel or column on which the record allows
-  /// it.
+  /// Returns the effects of this kind that the record allows, one for each possible channel, column
+  /// or window, with initial values. Default: none.
   [[nodiscard]] virtual std::vector<Effect> possible(const Surroundings& in) const;
-  /// Returns the allowed values of a parameter. An empty result allows all values within the
-  /// bounds.
+  /// Returns the values to which a fit restricts a parameter. An empty result means all values
+  /// within its bounds.
   [[nodiscard]] virtual std::vector<double> choices(std::size_t number,
                                                     const Surroundings& in) const;
 
   /// Returns the entries of EffectCard::numbers that this effect uses.
   [[nodiscard]] virtual std::span<const record::NumberCard> numbers(const Effect& effect) const;
-  /// Returns true if a file may omit this parameter and the following ones.
+  /// Returns true if a model file may omit this parameter and all later ones.
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
   /// Returns true if the contribution of the effect is proportional to this parameter.
   [[nodiscard]] virtual bool is_proportional(std::size_t number) const;
-  /// Returns the bounds of a parameter; `limits` of the record apply to time constants.
+  /// Returns the bounds of a parameter. For a time constant, they also lie within `limits`, the
+  /// range that the record can determine.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
-  /// Returns the key of a parameter in a file if the displacement is a length: "gain_um_K".
-  /// key_of() also handles angles.
+  /// Returns the key of a parameter in a model file, such as "gain_um_K", for a displacement that
+  /// is a length. key_of() also handles angles.
   [[nodiscard]] virtual std::string key(const Effect& effect, std::size_t number,
                                         const Model& model) const;
 
@@ -105,24 +106,25 @@ class EffectKind {
   /// Returns the columns that the effect needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
 
-  /// Returns faults of this kind that the record itself shows. Default: none.
+  /// Returns faults of this kind that the record shows, such as a loose sensor. Default: none.
   [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
-  /// Returns the contribution to the displacement.
+  /// Returns the contribution of the effect to the displacement. Default: none.
   [[nodiscard]] virtual Share share(const Effect& effect, const Model& model) const;
-  /// Changes the response of the channel on which the effect acts.
+  /// Enters in `answer` how the effect changes the lags of its channel. Default: no change.
   virtual void change(const Effect& effect, const Model& model, Answer& answer) const;
 
  protected:
-  /// Returns the effect with its initial values, on this channel or axis and with these columns.
+  /// Returns an effect of this kind with its initial values, on this channel or axis and with these
+  /// columns.
   [[nodiscard]] Effect at(std::string where = {}, std::vector<const Channel*> columns = {}) const;
 };
 
-/// Returns the key of an effect's parameter in a model file: "gain_um_K", or "gain_urad_K" for an
-/// angle.
+/// Returns the key of an effect's parameter in a model file, such as "gain_um_K"; "gain_urad_K" for
+/// an angle.
 [[nodiscard]] std::string key_of(const Effect& effect, std::size_t number, const Model& model);
 
-/// Returns the unit of an effect's parameter for the reader: "um/K", or "urad/K" for an angle.
+/// Returns the unit of an effect's parameter, such as "um/K"; "urad/K" for an angle.
 [[nodiscard]] std::string unit_of(const Effect& effect, std::size_t number, const Model& model);
 
 /// Returns the contribution of an effect that follows its input with a first-order lag. The
@@ -130,7 +132,8 @@ class EffectKind {
 [[nodiscard]] DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect,
                                        const Model& model);
 
-/// Returns the kind of an effect, from the catalogue or user-defined.
+/// Returns the kind of an effect: the kind with its id in the catalogue, or the user-defined
+/// effect. Throws std::logic_error for an unknown id.
 [[nodiscard]] const EffectKind& kind_of(const Effect& effect);
 [[nodiscard]] const EffectCard& card_of(const Effect& effect);
 

@@ -7,7 +7,8 @@ namespace raceway::correction {
 
 /// Friction torque of a whole spindle on a grid of speed, loads and temperature.
 ///
-/// The absolute value of a load is used, unless the axis of this load contains negative values.
+/// The table is read at the absolute value of a load, unless the axis of the load contains negative
+/// values.
 struct FrictionTable {
   /// Units: [rad/s], [N], [N], [K].
   struct Point {
@@ -20,9 +21,10 @@ struct FrictionTable {
   /// Friction torque [N m]; speed varies fastest, then axial load, radial load and temperature.
   std::vector<double> torque{};
 
-  /// Interpolates linearly. Beyond the end of an axis, the value at its end is used.
+  /// Returns the torque [N m], interpolated linearly. Beyond the end of an axis, the value at its
+  /// end is used.
   [[nodiscard]] double operator()(const Point& at) const;
-  /// Returns true for a point within the axes. An axis with one value accepts all points.
+  /// Returns true if a point lies within all axes. An axis with one value has no limits.
   [[nodiscard]] bool holds(const Point& at) const;
 };
 

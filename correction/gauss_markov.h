@@ -10,12 +10,12 @@
 
 namespace raceway::correction {
 
-/// An unknown that changes slowly: a first-order Gauss-Markov process.
+/// An unknown x that changes slowly: a first-order Gauss-Markov process.
 ///
 ///   x(t + dt) = a x(t) + w,   a = exp(-dt/T),   w ~ N(0, s² (1 - a²) + q² dt)
 ///
-/// Without readings, the unknown returns to 0 with the time constant T. If q = 0, its standard
-/// deviation returns to s. With infinite T, the unknown is a constant if q = 0, otherwise a random
+/// Without readings, the estimate of x returns to 0 with the time constant T. If q = 0, its
+/// standard deviation returns to s. With infinite T, x is constant if q = 0, otherwise a random
 /// walk.
 struct Unknown {
   std::string name{};
@@ -24,11 +24,12 @@ struct Unknown {
   double walk = 0.0;         ///< q, in the unit of the unknown per root of a second
   double first_std = unset;  ///< standard deviation at the start; NaN: s
   double bound = std::numeric_limits<double>::infinity();  ///< largest allowed absolute value
-  /// Index k of another unknown if this unknown is its rate, dx_k/dt = x; negative: it is no rate.
+  /// Index k of another unknown if this unknown is its rate of change, dx_k/dt = x; negative: it is
+  /// not a rate.
   int rate_of = -1;
 };
 
-/// Estimates a weighted sum of unknowns from occasional readings.
+/// Estimates unknowns x_j from occasional readings y of their weighted sum with known weights h_j.
 ///
 ///   y(t) = sum_j h_j(t) x_j(t) + v,   v ~ N(0, r²)
 ///
@@ -38,31 +39,35 @@ struct Unknown {
 ///
 ///   k(t, t') = sum_j h_j(t) h_j(t') s_j² exp(-|t - t'|/T_j)
 ///
-/// With infinite T_j, the filter is recursive least squares with a ridge r²/s².
+/// With infinite T_j, the filter is recursive least squares with the ridge parameter r²/s².
 ///
-/// Source:   derivation above. Tests compare the filter with the dense solution of the regression.
+/// Source:   the equations above. Tests compare the filter with a direct solution of the
+///           regression.
 /// Units:    x_j and h_j may have any units whose product is the unit of y.
 /// Domain:   s_j, T_j, r > 0; time must not go back.
 /// Trap:     if an unknown exceeds its bound after a reading, it is set to the bound, and the other
-///           unknowns are moved as their covariance with it requires. The covariance itself does
-///           not change.
+///           unknowns are moved according to their covariance with it. The covariance does not
+///           change.
 class UnknownsFilter {
  public:
-  /// Throws std::invalid_argument for a standard deviation or memory that is not positive.
+  /// Throws std::invalid_argument if a standard deviation s or a time constant T is not positive.
   explicit UnknownsFilter(std::vector<Unknown> unknowns);
 
   struct Expected {
     double mean = 0.0;
     double variance = 0.0;  ///< variance of the sum, without the noise of a reading
   };
-  /// Returns mean and variance of the sum with weights h, at a time dt [s] from now.
+  /// Returns the expected mean and variance of the sum with these weights, at a time dt [s] from
+  /// now.
   [[nodiscard]] Expected expected(std::span<const double> weights, double dt) const;
 
-  /// Advances by dt without a reading.
+  /// Advances the filter by the time dt [s] without a reading.
   void advance(double dt);
-  /// Processes a reading of the weighted sum at the current time. `reading_std` is its noise.
+  /// Updates the unknowns with a reading of their weighted sum at the present time. `reading_std`
+  /// is the standard deviation of its noise.
   void learn(std::span<const double> weights, double reading, double reading_std);
-  /// Sets one unknown to 0 with its initial standard deviation.
+  /// Sets one unknown to 0 with its initial standard deviation, and its covariance with the others
+  /// to 0.
   void reset(std::size_t unknown);
 
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }

@@ -8,13 +8,13 @@
 
 namespace raceway::correction {
 
-/// Shape of an input between two samples.
+/// Course of an input between two samples.
 enum class Hold {
-  straight,  ///< straight line, suitable for temperatures: first-order hold
-  held       ///< constant, according to the clock's settings_hold: zero-order hold
+  straight,  ///< first-order hold: a straight line, as for temperatures
+  held       ///< zero-order hold: constant; Clock::settings_hold selects the sample
 };
 
-/// One step of a first-order lag T dx/dt = u - x over a time dt.
+/// Coefficients for one step of a first-order lag T dx/dt = u - x over a time dt.
 ///
 ///   x(k+1) = decay x(k) + old_weight u(k) + new_weight u(k+1)
 ///
@@ -40,26 +40,26 @@ inline LagStep lag_step(double ratio, Hold hold) {
   return {1.0 - rise, rise - new_weight, new_weight};
 }
 
-/// Times of the rows of a record.
+/// Time steps and runs of the rows of a record.
 struct Clock {
   std::vector<double> steps{};  ///< time since the previous row [s]; 0 at the start of a run
-  std::vector<bool> begins{};   ///< true if a run and its simulation begin with this row
+  std::vector<bool> begins{};   ///< true if a run begins with this row
   record::SettingsHold settings_hold = record::SettingsHold::sampled;
 
   [[nodiscard]] std::size_t rows() const { return steps.size(); }
-  /// Returns the row whose settings are valid from the previous row to `row`. `row` must not be the
-  /// first row of a run.
+  /// Returns the row whose speeds, feeds and powers apply from the previous row to `row`. `row`
+  /// must not be the first row of a run.
   [[nodiscard]] std::size_t held_until(std::size_t row) const {
     return settings_hold == record::SettingsHold::until_row ? row : row - 1;
   }
-  /// Returns the row whose settings were valid at the reading in `row`.
+  /// Returns the row whose speeds, feeds and powers apply at the time of the reading in `row`.
   [[nodiscard]] std::size_t seen_at(std::size_t row) const {
     return settings_hold == record::SettingsHold::from_row && !begins[row] ? row - 1 : row;
   }
 };
 
-/// Computes the state of a first-order lag with time constant T > 0 [s] at every row, in the unit
-/// of the input. Every run begins with the state `start`. `input` and `state` have a value for each
+/// Computes the state of a first-order lag at every row, in the unit of the input. `time_constant`
+/// [s] is above 0. Every run begins with the state `start`. `input` and `state` have one value per
 /// row of the clock.
 void lag_response(const Clock& clock, std::span<const double> input, Hold hold,
                   double time_constant, double start, std::span<double> state);

@@ -17,32 +17,32 @@ struct LagBankOptions {
   std::function<bool()> cancelled{};
 };
 
-/// Returns an instant response (0) and lags [s] that begin at a hundredth of the longest run and
-/// grow by a factor of three, up to a quarter of that run.
+/// Returns 0 for an instant response, then time constants [s] from a hundredth to a quarter of the
+/// longest run. Each time constant is three times the previous one.
 [[nodiscard]] std::vector<double> usual_lags(const Series& series);
 
-/// Fits a bank of lags: every input passes through the same lags, and one ridge regression
-/// determines all gains.
+/// Fits a bank of lags: every input drives lags with the same time constants τ_j, and one ridge
+/// regression determines all gains.
 ///
 ///   minimise  mean (y - y0 - sum g_ij x_ij)² + λ sum (w_ij g_ij)²,   w_ij = s_i sqrt(τ_j/5400 s)
 ///
-/// x_ij is input i after lag j, and g_ij is its gain [um/K, um/(m/min), um/1000 rpm; um per tenth
-/// of the range of other columns]. λ is the strength [um² per square of the unit of g]. s_i is 1,
-/// except for speeds. Slow lags have larger penalties, because they affect the prediction for the
-/// longest time after the record. Lags below 600 s and the instant response have the same penalty
-/// as a lag of 600 s. A speed has two inputs: n, and n (n/1000 rpm)^0.5, which rises like the
-/// friction. The bank has no instant response for a speed. The program tries seven values of λ from
-/// 0.01 to 10 and three values of s for speeds from 0.1 to 1. Each combination is fitted to six
-/// initial parts of the record (59 % to 88 % of its duration) and judged by the error on the rest
-/// of the record. The final gains are the mean over all combinations, weighted by (error)^-4.
-/// Held-out parts from the middle of the record would favour gains that are valid only within the
-/// record. The choice of a single best strength would depend mostly on chance.
+/// y is the displacement, and y0 is the zero of the run. x_ij is the response of lag j to input i,
+/// and g_ij is its gain [um/K, um/(m/min), um/1000 rpm; um per tenth of the range of other
+/// columns]. λ is the strength [um² per square of the unit of g]. s_i is 1, except for speeds. Slow
+/// lags have larger penalties, because their errors last longest after the record. Lags below 600 s
+/// and the instant response have the penalty of a lag of 600 s. A speed n adds two inputs: n, and n
+/// (n/1000 rpm)^0.5 for the friction heat. A speed has no instant response. The program tries seven
+/// values of λ from 0.01 to 10 and three values of s for speeds from 0.1 to 1. Each combination is
+/// fitted to six initial parts of the record (59 % to 88 % of its duration) and tested on the rest.
+/// The final gains are the mean of the fits to the whole record, weighted by (rms error of the
+/// tests)^-4. Held-out parts from the middle of the record would favour gains that are valid only
+/// within the record. The choice of a single best λ would depend mostly on chance.
 ///
 /// If many sensors measure bodies whose influence on the displacement is unknown, a bank of lags
-/// usually predicts better than a few sections with fitted time constants. A few sections fit the
-/// record equally well, but extrapolate badly. The gains of a bank have no physical meaning. These
-/// gains have no standard error, because the ridge shrinks them towards 0. If the model does not
-/// list its free parameters, only the offset remains free after this fit.
+/// usually predicts better than a few lags with fitted time constants. A few lags fit the record
+/// equally well, but extrapolate badly. The gains of a bank have no physical meaning, and no
+/// standard error, because the ridge shrinks them towards 0. If the model does not list its free
+/// parameters, only the offset remains free after this fit.
 /// Source: ridge regression [HoerlKennard1970]. The lags and weights are our choice, based on the
 /// record of docs/spindle-record.md.
 ///

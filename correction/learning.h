@@ -9,109 +9,117 @@
 
 namespace raceway::correction {
 
-/// Settings for learning from a probe that measures the displacement occasionally.
+/// Settings for the correction of a model with readings of a probe that measures the displacement
+/// occasionally.
 struct LearningOptions {
-  double every = 0.0;  ///< shortest time between two offered readings [s]; 0: offer all
-  /// Standard deviation of the model residual [m]. NaN means the tolerance of the model, or
-  /// usual_misfit if the model has no tolerance.
+  double every = 0.0;  ///< shortest time between two readings that are used [s]; 0: all are used
+  /// Expected standard deviation of the residual of the model [m]. If it is NaN, the tolerance of
+  /// the model is used; without a tolerance, usual_misfit.
   double misfit = unset;
-  double reading_std = unset;  ///< [m]; NaN: measured_std of the model, otherwise usual_reading_std
-  /// Time constant with which gains return to the values of the model [s].
+  /// Standard deviation of the noise of a reading [m]. If it is NaN, `measured_std` of the model is
+  /// used; if that is NaN as well, usual_reading_std.
+  double reading_std = unset;
+  /// Time constant with which learned gains return to the gains of the model [s].
   double forgetting = 7.0 * 24.0 * 3600.0;
-  double gain_std = 0.1;    ///< standard deviation of a relative gain error [1]
+  double gain_std = 0.1;    ///< expected standard deviation of the relative error of a gain [1]
   double gain_bound = 0.5;  ///< largest relative change of a gain of the model [1]
 };
 
 inline constexpr double usual_misfit = 2.0 * um;
 inline constexpr double usual_reading_std = 0.3 * um;
 
-/// A reading that was offered for learning, and its result.
+/// A reading that learn() used or rejected. Readings are skipped until LearningOptions::every has
+/// elapsed.
 struct OfferedReading {
   std::size_t row = 0;
-  /// Reading and prediction [m]; the prediction does not yet use this reading.
+  /// Reading and prediction from earlier readings [m].
   double reading = unset, predicted = unset;
   double std = unset;   ///< expected standard deviation of reading minus prediction [m]
   bool learnt = false;  ///< true: used for learning; false: rejected as too far from the prediction
-  bool zeroed = false;  ///< true: this reading reset the zero
-  double good_for = unset;  ///< time until the uncertainty exceeds the tolerance [s]
+  bool zeroed = false;  ///< true: this reading reset the unknown zero
+  /// Time from this reading until the standard deviation of the prediction exceeds the tolerance
+  /// [s]; NaN if it does not happen before the next used reading.
+  double good_for = unset;
 };
 
-/// A learned gain: of a part of the model, or of a lag that the model lacks.
+/// A learned gain of a contribution of the model, or of an additional lag that the model lacks.
 struct LearntGain {
   std::string name{};  ///< name of a channel or effect, "kinematic", or "spindle, lag of 2 h"
-  /// Relative difference from the gain of the model [1]. For a lag that the model lacks:
-  /// displacement that the lag adds for half the range of its input [m].
+  /// Relative change of the gain of the model [1]. For an additional lag: displacement that the lag
+  /// adds for half the range of its input [m].
   double value = 0.0;
   double std = unset;  ///< standard deviation, in the unit of `value`
   bool is_lag = false, at_bound = false;
 };
 
-/// Reason why the model should be identified again.
+/// First row at which learn() finds that the model should be identified again, with the reason.
 struct IdentificationDue {
   std::size_t row = 0;
   std::string reason{};
 };
 
-/// Rms error over the readings that were not offered and that follow the first learned reading of
-/// their run [m].
+/// Rms errors of three predictions on the readings between the used ones [m]. Readings before the
+/// first used reading of their run are left out. NaN without such readings.
 struct ErrorBetween {
   std::size_t readings = 0;
-  /// Model without learning; its zero comes from the first reading of each run.
+  /// Model without learning, aligned with the first used reading of each run.
   double first = unset;
-  double zeroed = unset;  ///< model without learning; its zero comes from the last learned reading
+  double zeroed = unset;  ///< model without learning, aligned with the latest used reading
   double learnt = unset;
 };
 
 struct Learning {
-  std::vector<double> predicted{};  ///< at every row, from earlier readings only [m]
-  std::vector<double> std{};  ///< std of the prediction [m]; NaN up to the first reading of a run
+  std::vector<double> predicted{};  ///< prediction at every row from earlier readings [m]
+  /// Standard deviation of the prediction [m]; NaN up to the first used reading of a run.
+  std::vector<double> std{};
   std::vector<OfferedReading> readings{};
   std::vector<LearntGain> gains{};
   std::vector<IdentificationDue> due{};
   ErrorBetween error{};
   double tolerance = unset;  ///< [m]
-  /// Number of rows in which the uncertainty of the prediction exceeds the tolerance.
+  /// Number of rows in which the standard deviation of the prediction exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
-  /// Time from the last row until the uncertainty of the prediction exceeds the tolerance, with
-  /// constant inputs [s]. The time is infinite if it exceeds 30 days, and NaN if the model has no
-  /// tolerance or the last run has no learned reading.
+  /// Time from the last row until the standard deviation of the prediction exceeds the tolerance,
+  /// if the inputs stay constant [s]. The time is infinite if it exceeds 30 days, and NaN if the
+  /// model has no tolerance or the last run has no used reading.
   double next_reading = unset;
-  double level = 1.0;  ///< ratio of actual to expected residual of the model [1]
-  double misfit = unset, reading_std = unset;  ///< values that were used [m]
-  Model model{};  ///< model with gains and zero at the end of the record
+  double level = 1.0;  ///< ratio of the actual to the expected size of the residual [1]
+  double misfit = unset, reading_std = unset;  ///< standard deviations that were used [m]
+  Model model{};  ///< model with the learned gains and zero at the end of the record
 };
 
-/// Simulates a model over a record and corrects the prediction with each offered reading. The
+/// Simulates a model over a record and corrects the prediction with occasional readings. The
 /// prediction of a row uses only readings of earlier rows.
 ///
 ///   y = f(t) + z + sum_i d_i + sum_j a_j c_j(t) + sum_l b_l s_l(t) + v
 ///
-/// f is the model with the contributions c_j. The zero z of the run is unknown until its first
-/// reading. Afterwards z is a random walk of one misfit per root of an hour, plus a drift of half a
-/// misfit per hour with a memory of 12 h. The d_i describe the residual and the errors in the
-/// states of slow sections. One process has a memory of half an hour, and there is one further
-/// process for each slow time constant. The joint standard deviation of these processes is a fifth
-/// of a misfit. The a_j are relative changes of the contributions c_j. The b_l are gains of lags
-/// that the model lacks: lags of 0.5, 2 and 8 h of the model inputs. The responses s_l are in units
-/// of half the input range. The joint standard deviation of all these lags is 2 misfits. All a and
-/// b return to 0 with the forgetting time. v is the noise of a reading. One UnknownsFilter
-/// estimates all unknowns together. The readings determine the size of these unknowns relative to
-/// v: the variance of the unknowns is multiplied by level². level² is the mean ratio of actual to
-/// expected variance over about the last 32 readings. The mean includes the expected ratio of 1
-/// with the weight of 8 readings.
+/// y is the reading, and f is the prediction of the model with its contributions c_j. "Misfit" is
+/// LearningOptions::misfit. The zero z of a run is unknown until its first reading. Afterwards z is
+/// a random walk of one misfit per root of an hour, plus a drift of half a misfit per hour
+/// (standard deviation) with a correlation time of 12 h. The d_i describe the residual. They are
+/// independent processes: one with a correlation time of half an hour, and one for each clearly
+/// longer time constant of the model (24 h at most). The standard deviation of the sum of the d_i
+/// is a fifth of a misfit. The a_j are relative changes of the contributions c_j. The b_l are gains
+/// of additional lags of the model inputs, with time constants of 0.5, 2 and 8 h. The responses s_l
+/// are in units of half the input range. The joint standard deviation of all b_l is 2 misfits. All
+/// a_j and b_l return to 0 with the time constant `forgetting`. v is the noise of a reading. One
+/// UnknownsFilter estimates all unknowns together. The variance of the unknowns is multiplied by
+/// level², which is the mean ratio of actual to expected variance over about the last 32 readings.
+/// The mean includes the expected ratio of 1 with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
-/// deviations. The next reading is then offered regardless of the interval. A next reading that is
-/// also outside this limit resets the zero in two cases: it agrees with the rejected reading, or
-/// the two readings before it were rejected.
+/// deviations. The next reading is then used regardless of the interval. If the next reading is
+/// also outside this limit, it resets the zero in two cases: it agrees with the rejected reading,
+/// or the two readings before it were rejected.
 ///
-/// Source:   a Kalman filter. Sizes and times are our choice, based on the record of
-///           docs/correction.md with models from three initial parts of this record.
-/// Domain:   records over time. A lag is added to a channel only if the model contains the range of
-///           its input.
-/// Accuracy: the standard deviation depends on the sizes and times assumed above.
+/// Source:   a Kalman filter. The standard deviations and times are our choice, based on the record
+///           of docs/correction.md with models from three initial parts of this record.
+/// Domain:   time records. A channel has additional lags only if it has first-order lags and the
+///           model contains the range of its input.
+/// Accuracy: the standard deviation of the prediction depends on the values assumed above.
 ///
-/// Throws std::invalid_argument if the displacement column, all readings or an input are missing.
+/// Throws std::invalid_argument if the record has no readings of the displacement or lacks an input
+/// of the model.
 [[nodiscard]] Learning learn(const Model& model, const record::Record& record,
                              const LearningOptions& options = {});
 

@@ -17,52 +17,55 @@
 #include "record/record.h"
 #include "record/series_channel.h"
 
-/// Describes the displacement of a machine in the course of hours, with data from its control. The
-/// model is a sum of lags of temperatures, power, speed and feeds, and of an instant part that
-/// follows the speed.
+/// Predicts the displacement of a machine tool over hours from signals of its control. The model
+/// adds first-order lags, which temperatures, powers, speeds and feeds drive, and an instant
+/// displacement that depends on the speed.
 namespace raceway::correction {
 
 using record::Channel;
 
 class OwnEffect;
 
-/// Weight of a channel as a function of an axis position: 0 outside the outer points, 1 between the
-/// inner points, and linear between an outer and an inner point.
+/// Factor on a channel as a function of an axis position. The factor is 0 outside the outer two of
+/// four points, 1 between the inner two, and linear between an outer and an inner point.
 struct Window {
   const Channel* column = nullptr;  ///< position of the axis
-  std::array<double, 4> points{};   ///< rising positions [SI]; infinite on a side without an edge
-  /// True if the window scales the input before the lags, for heat that arises in the window. False
-  /// if the window scales the displacement, for a body that moves the tool only in the window.
+  /// Four rising positions [SI]; infinite on a side without a limit.
+  std::array<double, 4> points{};
+  /// True: the factor scales the input before the lags, for heat that arises only in the window.
+  /// False: the factor scales the displacement, for a body that moves the tool only in the window.
   bool of_input = false;
 
   [[nodiscard]] double operator()(double position) const;
-  /// Returns "300..600" in the unit of the column, or "300.." without an upper edge. If an edge is
-  /// not sharp, the text contains all four points.
+  /// Returns the limits of the window as text in the unit of the column: "300..600", or "300.."
+  /// without an upper limit. If the factor rises or falls gradually, the text contains all four
+  /// points.
   [[nodiscard]] std::string range_text() const;
 };
 
-/// Coordinate on one axis of a friction table: a number, or the value of a column.
+/// Coordinate on one axis of a friction table: a constant, or the value of a record column.
 struct TableCoordinate {
   double value = unset;  ///< SI
   const Channel* column = nullptr;
 };
 
-/// Input of a channel.
+/// Quantity that drives a channel of the displacement model.
 ///
-/// Temperatures are taken relative to the first row of a run. For feeds, speeds and the coolant
-/// state, the absolute value is used. Other columns keep their sign.
+/// For a temperature, the input is its change since the first row of the run. For a feed, a speed
+/// or the coolant state, the input is the absolute value. Other columns keep their sign.
 struct Input {
-  std::string name{};                     ///< name in the file: "power_W", or the only column
+  std::string name{};                     ///< name in the model file: "power_W", or a column
   std::vector<const Channel*> columns{};  ///< the mean of these columns is the input
-  const Channel* reference = nullptr;     ///< temperature whose rise is subtracted from the input
-  /// Exponent for a speed n. The input is n (n/1000 rpm)^(exponent - 1). An exponent above 1
+  /// Temperature whose change since the first row is subtracted.
+  const Channel* reference = nullptr;
+  /// Exponent for a speed n: the input is n (n/1000 rpm)^(exponent - 1). An exponent above 1
   /// describes heat that rises faster than n.
   double exponent = 1.0;
-  Interval seen{};  ///< speed range of the fit [SI]; continued() extrapolates beyond it
+  Interval seen{};  ///< speed range of the fit [SI]; continued() extrapolates above it
   /// Friction table of a power input. The power is the torque from the table times the speed.
   std::shared_ptr<const FrictionTable> table{};
-  TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other coordinates in the table
-  Interval within{};                                           ///< limits of the power [W]
+  TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other axes of `table`
+  Interval within{};                                           ///< limits that clip the power [W]
   std::optional<Window> window{};
   std::shared_ptr<const OwnEffect> formula{};  ///< user-defined function of columns
   std::vector<double> formula_values{};
@@ -70,52 +73,56 @@ struct Input {
   [[nodiscard]] bool is_power() const { return table != nullptr; }
   /// Returns true if the channel has no input.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
-  /// Returns the unit of the input in gains: "K", "W", "m/min" or "rpm" in text, and "K", "W",
-  /// "m_min" or "rpm" in keys. factor() gives the SI value of one such unit.
+  /// Returns the unit of the input in gains: unit() in the form for text, such as "K" or "m/min",
+  /// and key_unit() in the form for keys, such as "K" or "m_min". factor() returns the SI value of
+  /// this unit.
   [[nodiscard]] std::string_view unit() const;
   [[nodiscard]] std::string_view key_unit() const;
   [[nodiscard]] double factor() const;
   [[nodiscard]] record::Course course() const;
 };
 
-/// A lag, described by its final response to a unit step of the input and by a time constant.
+/// First-order lag with a gain and a time constant. The gain is the final displacement per unit
+/// step of the input.
 struct Section {
   double gain = unset;           ///< [m] per SI unit of the input
   double time_constant = unset;  ///< [s]
 };
 
-/// Contribution to the displacement that one input drives.
+/// Channel: a contribution to the displacement that one input drives.
 struct DrivenChannel {
   std::string name{};
   Input input{};
   std::vector<Section> sections{};
-  double feedthrough = 0.0;  ///< instant response [m] per SI unit of the input
-  double scale = 1.0;  ///< factor on the whole channel, for example for a spindle of the same type
-  /// Replaces the sections by a gain and a time constant that depend on the power or load.
+  double feedthrough = 0.0;  ///< instant displacement [m] per SI unit of the input
+  /// Factor on the whole channel, for example for another spindle of the same type.
+  double scale = 1.0;
+  /// If set, replaces `sections` by a gain and a time constant that depend on the power or load.
   std::optional<DelayElement> element{};
-  /// Replaces the sections by a transfer function with published coefficients for one sampling
-  /// time.
+  /// If set, replaces `sections` by a transfer function with published coefficients for one
+  /// sampling time.
   std::optional<TransferFunction> printed{};
 };
 
 /// Law of the kinematic displacement, u = A n^(1 - B exp(-C n)): see shaft/kinematic_law.h.
 struct Kinematic {
-  double A = unset, B = unset, C = unset;  ///< units [um], [1], [1/rpm]
+  double A = unset, B = unset, C = unset;  ///< A [um], B [1], C [1/rpm]
 };
 
-/// An effect of the catalogue that is switched on.
+/// An effect that a model contains: a physical mechanism from the catalogue, or a user-defined
+/// formula.
 struct Effect {
   std::string id{};
-  std::string where{};                    ///< channel or axis of the effect; empty without one
+  std::string where{};                    ///< name of the channel or axis on which the effect acts
   std::vector<const Channel*> columns{};  ///< the mean of these columns drives the effect
-  std::optional<Window> window{};         ///< window in which the effect acts
+  std::optional<Window> window{};         ///< range of an axis in which the effect acts
   std::vector<double> values{};           ///< parameter values in the units of EffectCard
-  /// user-defined effect; null for an effect of the catalogue
+  /// User-defined effect; null for an effect of the catalogue.
   std::shared_ptr<const OwnEffect> own{};
-  bool off = false;  ///< true: a user-defined effect that is only a candidate
+  bool off = false;  ///< true: user-defined effect that adds nothing and is only tested
 };
 
-/// Initial state of the machine at the start of its record.
+/// State of the lags at the start of a record: zero (`rest`), or fitted to the readings (`free`).
 enum class InitialState { rest, free };
 /// Returns "rest" or "free".
 [[nodiscard]] constexpr std::string_view name(InitialState state) {
@@ -128,38 +135,40 @@ struct NumberPrior {
   record::Prior prior{};
 };
 
-/// Range of a column in the data of the fit.
+/// Range of an input in the data of the fit.
 struct SeenRange {
-  const Channel* column = nullptr;      ///< null for the power of a channel
+  const Channel* column = nullptr;      ///< null: the power of a channel
   std::string name{};                   ///< name of the column or the channel
-  double lower = unset, upper = unset;  ///< [SI]; a temperature itself, not its rise
-  double still = unset;                 ///< longest time with a constant temperature, if known [s]
+  double lower = unset, upper = unset;  ///< [SI]; a temperature in K, not its change
+  double still = unset;  ///< longest time without a change of a temperature [s]; NaN: unknown
 };
 
-/// Joint range of all inputs in the data of the fit, as a cloud of points. Each input may be within
-/// its own range although the combination never occurred.
+/// Distribution of all inputs in the data of the fit. It identifies combinations of inputs that
+/// never occurred, even if each input is within its own range.
 struct SeenTogether {
-  std::vector<const Channel*> columns{};  ///< columns that varied
-  /// [SI]; of absolute values for speeds, feeds and the coolant state.
+  std::vector<const Channel*> columns{};  ///< input columns that vary in the data
+  /// Mean and standard deviation of each column [SI]; of the absolute values for speeds, feeds and
+  /// the coolant state.
   Eigen::VectorXd mean{}, std{};
   Eigen::MatrixXd correlation{};
-  /// Largest distance of a point from the mean [1]: see Distance in range.h.
+  /// Largest distance of a row of the data from the mean [1]: see Distance in range.h.
   double farthest = unset;
 };
 
 /// Residual of the fitted model.
 struct Left {
-  double rms = unset;               ///< rms on held-out parts if there are any [m]
+  double rms = unset;               ///< rms on held-out parts, or of the fit without them [m]
   double correlation_time = unset;  ///< [s]
 };
 
-/// Evidence for a fitted model from readings that the fit did not use. trust_of() judges it.
+/// Errors of a fitted model on readings that the fit did not use. trust_of() rates the model from
+/// them.
 struct Evidence {
   double error = unset;  ///< rms error on readings that the fit did not use; NaN without them [m]
-  /// Rms of the readings after subtracting one constant from each run [m].
+  /// Rms of the readings after the mean of each run is subtracted [m].
   double uncorrected = unset;
-  double duration = unset;  ///< duration of the readings of the longest run [s]
-  bool one_way = false;     ///< true if the readings only move once from one state to another
+  double duration = unset;  ///< longest time from first to last reading of a run [s]
+  bool one_way = false;     ///< true if the readings only rise once or only fall once
   /// True if `error` and `uncorrected` come from another record than the fit.
   bool other_record = false;
 };
@@ -175,7 +184,7 @@ struct Model {
   std::vector<DrivenChannel> channels{};
   std::optional<Kinematic> kinematic{};
   std::vector<Effect> effects{};
-  /// Names of free parameters or of groups such as "gains": see free_names(). Empty: the default.
+  /// Names of free parameters, or of groups such as "gains"; empty: the default of free_names().
   std::vector<std::string> free{};
   std::vector<NumberPrior> priors{};
   std::vector<SeenRange> range{};
@@ -189,7 +198,7 @@ struct Model {
 [[nodiscard]] inline std::string_view unit_of(const Model& model) {
   return model.displacement ? model.displacement->unit : "um";
 }
-/// Converts the name or unit of a parameter from length to the model's unit: see
+/// Returns the name or unit of a parameter with "um" replaced by the unit of the displacement: see
 /// record::in_unit_of().
 [[nodiscard]] inline std::string in_unit_of(const Model& model, std::string_view text) {
   return model.displacement ? record::in_unit_of(*model.displacement, text) : std::string(text);

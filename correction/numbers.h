@@ -18,18 +18,19 @@ struct TimeConstantLimits {
 
 /// A parameter of a model that may be fitted.
 struct Number {
-  record::Parameter parameter{};  ///< for example "spindle.gain_1", in the units of the files
-  /// Group of numbers: "gains", "time_constants", "offset", "kinematic", "scale" or "effects".
+  record::Parameter parameter{};  ///< such as "spindle.gain_1", in the unit of its key
+  /// Group of the parameter: "gains", "time_constants", "offset", "kinematic", "scale" or
+  /// "effects".
   std::string group{};
-  double* place = nullptr;  ///< address of the value in the model
+  double* place = nullptr;  ///< address of its value in the model
   double factor = 1.0;      ///< ratio of the value in the model to the value of the parameter
 };
 
-/// Returns all parameters, in the order of the file. The places point into the model, so the model
-/// must live longer than the result.
+/// Returns all parameters of a model, in the order of the model file. The result has pointers into
+/// the model, so the model must live longer.
 [[nodiscard]] std::vector<Number> numbers(Model& model, const TimeConstantLimits& limits = {});
 
-/// Returns the parameters without their places in the model.
+/// Returns the parameters without pointers into the model.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model,
                                                         const TimeConstantLimits& limits = {});
 
@@ -42,9 +43,9 @@ struct Number {
 /// Returns true if a name denotes a group of parameters, such as "gains".
 [[nodiscard]] bool is_group(std::string_view name);
 
-/// Returns the shortest time constant for a lag of this input [s]. For power, speed and other
-/// inputs that are constant between rows, the result is at least 180 s, because a faster response
-/// belongs to the kinematic law.
+/// Returns the lower bound of a fitted time constant for this input [s]. For a power, a speed and
+/// other inputs that are constant between rows, the bound is at least 180 s, because the kinematic
+/// law describes faster responses.
 [[nodiscard]] double shortest_time_constant(const Input& input, const TimeConstantLimits& limits);
 
 /// Returns the channel with this name, or the first one for an empty name; null if there is none.
@@ -53,7 +54,7 @@ struct Number {
 /// Returns the input of an effect: see EffectKind::input().
 [[nodiscard]] Input input_of(const Effect& effect, const Model& model);
 
-/// Returns the id of an effect with its channel, axis, column or window, if it has one:
+/// Returns the id of an effect, followed by its channel, axis, column or window if it has one:
 /// "ambient-drift", "second-time-constant:ambient".
 [[nodiscard]] std::string full_id(const Effect& effect);
 

@@ -10,24 +10,23 @@
 
 namespace raceway::correction {
 
-/// User-defined effect: a formula f of the columns of a record, in the units of the files. The
-/// effect adds K/(1 + tau s) f(columns, parameters) to the displacement: f with the gain K and a
-/// first-order lag. Without a time constant, there is no lag.
+/// User-defined effect: a formula f of record columns, in the units of the columns. The effect adds
+/// K/(1 + tau s) f(columns, parameters) to the displacement, with a gain K and a time constant tau.
+/// Without a time constant, it adds K f.
 ///
-/// If the formula contains a temperature, the value of the formula in the first row of each run is
-/// subtracted, as for temperatures. The formula uses the columns as recorded, so speeds and feeds
-/// keep their sign.
+/// If the formula contains a temperature, the value of f in the first row of each run is
+/// subtracted. The formula uses the columns as recorded, so speeds and feeds keep their sign.
 class OwnEffect final : public EffectKind {
  public:
   struct Number {
     std::string name{}, unit{};
     double value = 0.0;
     double lower = unset, upper = unset;  ///< NaN: unbounded
-    bool in_braces = false;               ///< true: the file gives value, unit and bounds in braces
+    bool in_braces = false;  ///< true: the model file gives value, unit and bounds in braces
   };
   struct Given {
     std::string id{}, title{}, formula{};
-    bool lags = false;  ///< true: has a time constant
+    bool lags = false;  ///< true: the effect has a time constant
     std::vector<Number> parameters{};
   };
 
@@ -35,19 +34,19 @@ class OwnEffect final : public EffectKind {
   explicit OwnEffect(Given given);
 
   [[nodiscard]] const Given& given() const { return given_; }
-  /// Returns the card with the parameters of the effect: the gain [um], the time constant if there
-  /// is one, and the parameters of the formula.
+  /// Returns the description of the effect. Its parameters are the gain [um], the time constant if
+  /// there is one, and the parameters of the formula.
   [[nodiscard]] const EffectCard& card() const override { return card_; }
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
   [[nodiscard]] bool follows_a_temperature() const;
 
-  /// Returns the value of the formula in one row. Columns are in the order of columns() and in
-  /// their units.
+  /// Returns the value of the formula for one row. `columns` has the values in the order of
+  /// columns(), each in the unit of its column.
   [[nodiscard]] double value(std::span<const double> columns, std::span<const double> parameters,
                              std::vector<double>& scratch) const;
 
   [[nodiscard]] bool is_proportional(std::size_t number) const override { return number == 0; }
-  /// Returns a key such as "gain_um" or "p.value".
+  /// Returns the key of a parameter in the model file, such as "gain_um" or "p.value".
   [[nodiscard]] std::string key(const Effect& effect, std::size_t number,
                                 const Model& model) const override;
   [[nodiscard]] Input input(const Effect& effect, const Model& model) const override;
@@ -70,7 +69,7 @@ class OwnEffect final : public EffectKind {
   EffectCard card_;
 };
 
-/// Returns the record column that this name denotes in a formula; null if there is none.
+/// Returns the record column that has this name in formulas; null if there is none.
 [[nodiscard]] const Channel* column_of_formula(std::string_view name);
 
 }  // namespace raceway::correction

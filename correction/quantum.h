@@ -8,29 +8,27 @@
 
 namespace raceway::correction {
 
-/// Returns the resolution of a column [SI], which is one step of its last digit: the smallest
-/// difference between two values, if all other differences are multiples of the smallest one. If
-/// the other differences are not multiples, the result is NaN. The result is also NaN for fewer
-/// than three or more than 2000 different values.
+/// Returns the resolution of a column [SI]: the smallest difference between two values, if all
+/// other differences are multiples of it. Otherwise the result is NaN. The result is also NaN for
+/// fewer than three or more than 2000 different values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
-/// Longest time step within a record, in multiples of the usual step. A longer step is a gap
-/// without readings.
+/// Limit for time steps of a record, in multiples of the median step [1]. A longer step is a gap.
 inline constexpr double a_gap = 20.0;
 
-/// Longest time for which a column kept the same value.
+/// Longest time without a change of a column, and the time at which it begins.
 struct Still {
   double longest = 0.0, from = 0.0;  ///< [s]
 };
 
-/// Returns the longest time for which the values of a record stayed constant. A new run or a gap
-/// ends such a time, because the value may have changed in between.
+/// Returns the longest time for which the values of a column are constant. A new run or a gap ends
+/// this time, because the value may change in between.
 [[nodiscard]] Still longest_still(const record::Record& record, std::span<const double> values);
 
-/// Returns likely values between the steps of a sensor. At a change of the last digit, the true
-/// value is assumed halfway between the two readings. The function interpolates between these
-/// changes. Where the trend reverses between two changes, the value at the middle time is the
-/// reading itself. `begins` is true at the first row of a run.
+/// Returns estimates of the true values of a sensor with coarse resolution. At a change of the
+/// reading, the true value is assumed halfway between the two readings. Between these changes, the
+/// function interpolates linearly. If the trend reverses between two changes, the value midway
+/// between them is the reading. `begins` is true at the first row of a run.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,
                                                  std::span<const double> values,
                                                  const std::vector<bool>& begins);

@@ -9,46 +9,46 @@
 #include "correction/series.h"
 #include "verdict/calibrate.h"
 
-/// Stores the input ranges of a fit and finds the rows of a record outside these ranges.
+/// Stores the input ranges of a fit, and finds rows of other records outside these ranges.
 namespace raceway::correction {
 
-/// Stores the range of every input in a record up to its last reading, and the joint range of the
-/// inputs.
+/// Stores in the model the range of every input and the joint range of all inputs. Rows after the
+/// last reading of the record are left out.
 void see(Model& model, const record::Record& record);
 
-/// Returns the calibrated model with the ranges and evidence of the record, the covariance of the
-/// fitted parameters, and the size of the residual.
+/// Returns the calibrated model with the input ranges of the record, the held-out error, the
+/// covariance of the fitted parameters, and the rms of the residual.
 [[nodiscard]] Model trusted(const verdict::Calibration& found, const record::Record& record);
 
-/// Removes from the model the results of its fit to another record: ranges, covariance, residual
-/// and evidence.
+/// Removes the input ranges, covariance, residual and held-out error of an earlier fit from the
+/// model.
 void forget_what_was_seen(Model& model);
 
-/// Returns the range in the data of the fit: of a column [SI] (absolute values of speeds, feeds and
-/// coolant), of the speed [rpm], or of the power of a channel [W]. The range is unbounded if it is
-/// unknown.
+/// Returns a range in the data of the fit, unbounded if it is unknown. seen_of() is for a column
+/// [SI], with absolute values of speeds, feeds and the coolant state; seen_speed() for the speed
+/// [rpm]; seen_power() for the power of a channel [W].
 [[nodiscard]] Interval seen_of(const Model& model, const Channel& column);
 [[nodiscard]] Interval seen_speed(const Model& model);
 [[nodiscard]] Interval seen_power(const Model& model, const DrivenChannel& channel);
-/// Returns the range of the input of a delay element, in the unit of its column.
+/// Returns the range of the input of a delay element in the data of the fit, in W or in the unit of
+/// its column. The range is unbounded if it is unknown.
 [[nodiscard]] Interval seen_by_element(const Model& model, const DrivenChannel& channel);
 
-/// Distance of inputs x from their mean in the data of the fit [1]. x has the order of
+/// Distance d of inputs x from their mean in the data of the fit [1]. x has the order of
 /// SeenTogether::columns, in SI, with absolute values of speeds, feeds and the coolant state.
 ///
 ///   d = sqrt(zᵀ (R + 0.01 I)^-1 z),   z = (x - mean)/std, R: correlation of the inputs
 ///
-/// This is the distance of [Mahalanobis1936]. The distance grows with the deviation of one input
-/// from the mean, in units of the spread of this input. The distance also grows if correlated
-/// inputs do not follow their correlation. The term 0.01 I keeps d finite for exactly correlated
-/// inputs: if two of them differ by 0.14 of their standard deviation, d is 1.
+/// This is the distance of [Mahalanobis1936], apart from the term 0.01 I. d grows with the
+/// deviation of an input from its mean, in standard deviations, and if correlated inputs deviate
+/// from their correlation. The term 0.01 I keeps d finite for exactly correlated inputs: if two of
+/// them differ by 0.14 standard deviations, d is 1.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);
   [[nodiscard]] double operator()(const Eigen::VectorXd& x) const;
 
-  /// Returns the weights with d = |weights z|, a lower triangular matrix. Exported control programs
-  /// use this matrix.
+  /// Returns the lower triangular matrix W with d = |W z|. Exported control programs use W.
   [[nodiscard]] const Eigen::MatrixXd& weights() const { return weights_; }
 
  private:
@@ -59,27 +59,29 @@ class Distance {
 /// Rows of a record outside the range of the fit.
 struct Beyond {
   struct Part {
-    const Channel* column = nullptr;  ///< null: a power, or the joint range of inputs
-    std::string name{};  ///< name of the column or channel; empty: the joint range of inputs
-    /// [SI]; for the joint range: limits of the distance, from 0.
+    const Channel* column = nullptr;  ///< null for a power and for the joint range of inputs
+    std::string name{};               ///< name of the column or channel; empty for the joint range
+    /// Limits of the range [SI]. For the joint range, the limits of the distance d, where `lower`
+    /// is 0.
     double lower = unset, upper = unset;
-    std::size_t rows = 0, first = 0;  ///< number of rows, and the first of them
-    double value = unset;             ///< value in the row `first`
-    double farthest = unset;          ///< value farthest outside the range
+    /// Number of rows outside the range, and the first of these rows.
+    std::size_t rows = 0, first = 0;
+    double value = unset;     ///< value in the row `first`
+    double farthest = unset;  ///< value farthest outside the range
     [[nodiscard]] bool together() const { return name.empty(); }
   };
-  std::vector<Part> parts{};   ///< exceeded ranges, inputs first
-  std::vector<bool> at_row{};  ///< true for rows outside any range
-  bool known = false;          ///< true if the model contains its ranges
+  std::vector<Part> parts{};   ///< exceeded ranges, the joint range last
+  std::vector<bool> at_row{};  ///< true for rows outside at least one range
+  bool known = false;          ///< true if the model contains input ranges
   [[nodiscard]] std::size_t rows() const;
 };
 [[nodiscard]] Beyond beyond_range(const Model& model, const Series& series);
 
-/// Returns the extrapolated part of the prediction at every row [m]. The extrapolated part is the
-/// sum of |part - part with limited inputs| over the parts of the model. To limit the inputs, each
-/// input is first limited to its range. Then all inputs are moved towards their mean until they are
-/// inside the joint range. The result is 0 if no row is outside a range. After a row outside a
-/// range, the result stays above 0 for some time, because lags have memory.
+/// Returns the size of the extrapolation at every row [m]: the sum over all contributions (see
+/// contributions()) of |contribution - contribution with limited inputs|. Each limited input is
+/// clipped to its range; then all inputs are moved towards their means until they are inside the
+/// joint range. The result is 0 if no row is outside a range. After such a row, the result stays
+/// above 0 for some time, because lags have memory.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

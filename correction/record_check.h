@@ -10,16 +10,16 @@
 
 namespace raceway::correction {
 
-/// Properties of a time record that matter for a correction model.
+/// Properties of a time record that limit the identification of a correction model.
 struct RecordCheck {
   struct Quantum {
     const Channel* column = nullptr;
-    double step = unset;  ///< [SI]; all values are the smallest value plus multiples of it
+    double step = unset;  ///< resolution [SI]: differences of values are multiples of it
   };
   struct Printed {
     std::string channel;
-    double factor = 1.0;  ///< one unit of the input's column in SI
-    /// Resolution of the input in the record, if visible, else 0.1 of its unit [SI].
+    double factor = 1.0;  ///< SI value of one unit of the input's column
+    /// Resolution of the input in the record [SI]; 0.1 of its unit if quantum_of() finds none.
     double quantum = unset;
     TransferFunctionCheck check;
   };
@@ -27,21 +27,23 @@ struct RecordCheck {
   double sampling = unset;             ///< median time between rows [s]
   double duration = unset;             ///< duration of the longest run [s]
   std::size_t readings = 0;            ///< number of readings of the displacement
-  fit::Repeatability repeatability{};  ///< from repeated readings within stops
-  /// Upper bound of the noise if readings are more than 120 s apart [m].
+  fit::Repeatability repeatability{};  ///< scatter of repeated readings within one stop
+  /// Upper bound of the standard deviation of the noise, if no reading is repeated and readings are
+  /// more than 120 s apart [m]; otherwise NaN.
   double noise_at_most = unset;
   double reading_interval = unset;  ///< median time between two readings [s]
-  /// Range of time constants that the record can determine [s].
+  /// Limits of time constants that the record can determine [s]: 3 times `sampling` and half of
+  /// `duration`.
   double shortest = unset, longest = unset;
   std::vector<Quantum> quanta{};
-  std::vector<Printed> printed{};  ///< printed transfer functions of the model
+  std::vector<Printed> printed{};  ///< checks of the published transfer functions of the model
   std::vector<record::Note> warnings{};
-  /// The warnings that concern sensors of the model's inputs.
+  /// Warnings about sensors that are inputs of the model. `warnings` contains them too.
   std::vector<record::Note> of_its_inputs{};
 };
 
-/// Describes in one sentence the first row in which an input leaves the range of its delay element.
-/// The text is empty if there is no such row.
+/// Returns a sentence about the first row in which an input is outside DelayElement::domain(). The
+/// text is empty if there is no such row.
 [[nodiscard]] std::string beyond_element(const Model& model, const record::Record& record);
 
 [[nodiscard]] RecordCheck check_record(const Model& model, const record::Record& record);

@@ -6,24 +6,24 @@
 
 namespace raceway::correction {
 
-/// Multiple linear regression: a displacement as a linear combination of temperatures, without
-/// memory. Many controls use this model. In raceway, regression is a baseline for comparison.
+/// Multiple linear regression: a displacement as a linear combination of present temperatures. Many
+/// controls use this model. In raceway, it is a baseline for comparison.
 struct Regression {
-  Eigen::VectorXd coefficients{};  ///< one for each column
+  Eigen::VectorXd coefficients{};  ///< one coefficient for each column
   double rms = unset;              ///< rms residual, in the unit of the readings
-  /// Condition number: ratio of the largest to the smallest singular value of the columns. At 1e8,
-  /// the coefficients have lost half of their digits.
+  /// Condition number [1]: ratio of the largest to the smallest singular value of the columns. At
+  /// 1e8, the coefficients have lost half of their digits.
   double condition = unset;
 };
 
-/// Solves the least-squares problem by QR decomposition with column pivoting. Normal equations
-/// would square the condition number. Throws std::invalid_argument for fewer rows than columns and
-/// for linearly dependent columns.
+/// Solves the least-squares problem by QR decomposition with column pivoting. Throws
+/// std::invalid_argument if there are fewer rows than columns, or if columns are linearly
+/// dependent.
 [[nodiscard]] Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readings);
 
-/// Returns the gain of another spindle of the same type, <y - rest, s>/<s, s>. This gain is the
-/// factor on the simulated contribution s of the spindle [Transfer2022, eq. 6]. `rest`, the
-/// remainder of the model, is assumed correct.
+/// Returns the factor [1] that adapts a spindle model to another spindle of the same type: <y -
+/// rest, s>/<s, s> [Transfer2022, eq. 6]. y is the measured displacement, and s is the simulated
+/// contribution of the spindle. `rest`, the simulated displacement without s, is assumed correct.
 [[nodiscard]] double sister_scale(const Eigen::VectorXd& measured, const Eigen::VectorXd& rest,
                                   const Eigen::VectorXd& spindle);
 

@@ -14,10 +14,10 @@
 
 namespace raceway::correction {
 
-/// Changes that effects make to the lags of a channel.
+/// Changes that effects make to the gain and the time constant τ of a channel's lags.
 struct Answer {
-  double sensor_time_constant = 0.0;               ///< τ of a sensor [s]: see effects/sensor_lag.h
-  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios that apply while coolant_on is 0
+  double sensor_time_constant = 0.0;               ///< of the sensor [s]: see effects/sensor_lag.h
+  double off_gain = 1.0, off_time_constant = 1.0;  ///< factors on gain and τ while coolant_on is 0
   /// Parameters s and g of effects/speed_dependent_time_constant.h.
   double speed_factor = 0.0, gain_power = 1.0;
   double falling = 1.0;  ///< factor on τ while the input is below the state of the lag
@@ -29,17 +29,16 @@ struct Answer {
   }
 };
 
-/// Returns the absolute value of a speed or feed, raised as in Input::exponent:
-/// |n| (|n|/1000 rpm)^(exponent - 1).
+/// Returns the input from a speed or feed n: |n| (|n|/1000 rpm)^(exponent - 1), see
+/// Input::exponent.
 [[nodiscard]] double driving_size(double value, double exponent);
 
-/// A time record prepared for the models of this folder: time steps, inputs (temperatures relative
-/// to the first row of each run), and stored responses of lags. Several threads may share one
-/// object.
+/// A time record prepared for simulation: its time steps, the model inputs at each row, and the
+/// computed responses of lags, which are stored for reuse. Several threads may use one object.
 class Series {
  public:
-  /// `record` must live longer than this object. Throws std::invalid_argument if the time is
-  /// missing or does not increase within a run.
+  /// `record` must live longer than this object. Throws std::invalid_argument if the column time_s
+  /// is missing or does not increase within a run.
   explicit Series(const record::Record& record);
 
   [[nodiscard]] const record::Record& record() const { return record_; }
@@ -47,8 +46,8 @@ class Series {
   [[nodiscard]] const Clock& clock() const { return clock_; }
   /// Time since the first row of the run [s].
   [[nodiscard]] std::span<const double> time() const { return time_; }
-  /// Index of the zero of the displacement for each row. Each run has one zero for each value of
-  /// setup_id.
+  /// Index of the reference (zero) of the displacement at each row. Each run has one reference for
+  /// each value of setup_id.
   [[nodiscard]] std::span<const int> zero() const { return zero_; }
   [[nodiscard]] int zeros() const { return zeros_; }
   [[nodiscard]] std::span<const double> speed_rpm() const { return speed_rpm_; }
@@ -57,36 +56,36 @@ class Series {
 
   using Values = std::shared_ptr<const std::vector<double>>;
   /// Returns the input at every row [SI]: a rise of temperature [K], a power [W], the absolute
-  /// value of a speed or feed, or another quantity. If the input has a window on it, the result is
-  /// multiplied by the weight of the window. Throws std::invalid_argument if the record lacks a
-  /// column.
+  /// value of a speed or feed, or another quantity. If the window of the input has `of_input` set,
+  /// the result is multiplied by its factor. Throws std::invalid_argument if the record lacks a
+  /// column of the input.
   [[nodiscard]] Values input(const Input& input) const;
-  /// Returns the input of an instant part at the time of the reading in each row, multiplied by the
-  /// weight of its window.
+  /// Returns the input at the time of the reading in each row [SI], multiplied by the factor of its
+  /// window. The displacement without a lag is proportional to it.
   [[nodiscard]] Values at_once(const Input& input) const;
-  /// Returns the weight of a window on the displacement at the time of the reading in each row. The
-  /// result is null if the input has no such window.
+  /// Returns the factor of a window on the displacement at the time of the reading in each row [1].
+  /// The result is null if the input has no window or `of_input` is set.
   [[nodiscard]] Values shown_share(const Input& input) const;
-  /// Returns the number of rows in which the spindle turns and its operating point is outside the
-  /// axes of the friction table.
+  /// Returns the number of rows in which the spindle turns at a point outside the axes of the
+  /// friction table; 0 for an input without such a table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
-  /// Returns the state of a lag of this input, in the unit of the input and multiplied by the
-  /// weight of its window.
+  /// Returns the response of a lag with gain 1 to this input at every row, in the SI unit of the
+  /// input. The response is multiplied by the factor of the window.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
-  /// Returns n^(1 - B exp(-C n)) for the speed n in rpm. Above the speed range of the fit,
-  /// continued() extrapolates the value. The lower end of the range is standstill, where the value
-  /// is 0.
+  /// Returns n^(1 - B exp(-C n)) at every row, with the speed n in rpm. Above the speed range
+  /// `seen` of the fit, continued() extrapolates the value. At standstill, the value is 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
-  /// Returns the state of a lag whose input is exp(-n/n0), where n is the speed and n0 is
-  /// `decay_speed_rpm`. At standstill, the input is 0. Beyond the speed range of the fit,
-  /// continued() extrapolates the input.
+  /// Returns the response of a lag at every row [1]. Its input is exp(-n/n0) while the spindle
+  /// turns at the speed n, and 0 at standstill; n0 is `decay_speed_rpm`. Beyond the speed range
+  /// `seen` of the fit, continued() extrapolates the input.
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
                              const Interval& seen = {}) const;
-  /// Returns exp(-t/tau) with the time t from the first row of the first run; 0 in later runs.
+  /// Returns exp(-t/tau) at every row of the first run, with the time t since its first row, and 0
+  /// in later runs.
   [[nodiscard]] Values decay(double time_constant) const;
-  /// Returns 1 - exp(-t/tau). The time t starts at the first row of the record and continues
-  /// through all runs.
+  /// Returns 1 - exp(-t/tau) at every row. The time t starts at the first row of the record. It
+  /// increases within all runs, but not between two runs.
   [[nodiscard]] Values settling(double time_constant) const;
 
  private:
@@ -97,11 +96,11 @@ class Series {
   [[nodiscard]] std::vector<FrictionTable::Point> points_of_table(const Input& input) const;
   [[nodiscard]] std::vector<double> power(const Input& input) const;
   [[nodiscard]] std::vector<double> formula(const Input& input) const;
-  /// Returns the key of the stored values of `input`.
+  /// Returns the key under which the values of `input` are stored.
   [[nodiscard]] Key key_of(const Input& input) const;
   /// Computes the input at every row, without its window.
   void fill(const Input& input, std::vector<double>& out) const;
-  /// Returns the weight of a window at every row.
+  /// Returns the factor of a window at every row [1].
   [[nodiscard]] std::vector<double> shares(const Window& window) const;
   void answer(const std::vector<double>& input, record::Course course, double time_constant,
               const Answer& answer, std::vector<double>& state) const;

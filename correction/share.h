@@ -9,23 +9,24 @@
 
 namespace raceway::correction {
 
-/// Contribution to the displacement that follows an input, with a first-order lag or instantly.
+/// Contribution to the displacement that is proportional to an input, with a first-order lag or
+/// without one.
 struct DrivenShare {
   Input input{};
-  double gain = 0.0;             ///< [um] per unit of the input in text (Input::unit())
-  double time_constant = unset;  ///< [s]; NaN: instant
+  double gain = 0.0;             ///< [um] per Input::unit()
+  double time_constant = unset;  ///< [s]; NaN: no lag
 };
 
-/// Contribution of a motor that heats up or cools down with the spindle. The contribution follows
-/// exp(-n/n0) with a first-order lag while the spindle turns. At standstill, the input of the lag
-/// is 0.
+/// Contribution of a motor that heats up or cools down with the spindle: a first-order lag whose
+/// input is exp(-n/n0) while the spindle turns at the speed n, and 0 at standstill.
 struct MotorShare {
   double gain = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
   double decay_speed = 0;    ///< n0 [rpm]
 };
 
-/// Contribution that settles from the start of the record: size (1 - exp(-t/τ)).
+/// Contribution that settles from the start of the record: size (1 - exp(-t/τ)), with the time
+/// constant τ.
 struct SettlingShare {
   double size = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
@@ -35,23 +36,23 @@ struct SettlingShare {
 struct JumpShare {
   struct Jump {
     double size = 0.0;  ///< [um]
-    double time = 0.0;  ///< time on the clock of the record [s]
+    double time = 0.0;  ///< value of time_s from which the step is added [s]
   };
   std::vector<Jump> jumps{};
 };
 
 /// Contribution of an effect to the displacement. Simulation, step responses and exported programs
-/// all use this contribution, so their results agree. An effect that changes the response of a
-/// channel has no contribution (std::monostate).
+/// all use it, so their results agree. An effect that only changes the response of a channel has no
+/// contribution (std::monostate).
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Receives one term of the displacement: a weight, times a value for each row. A Series stores the
-/// values, so calls with equal parameters receive the same object.
+/// Function that receives one term of the displacement [m]: `weight` times one value per row.
+/// Series stores the values, so calls with equal parameters receive the same object.
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
-/// Simulates a contribution on a record and passes its terms to `sink`. `seen` is the speed range
-/// of the fit [rpm]. Beyond this range, continued() extrapolates laws of the speed.
+/// Simulates a contribution on a record and passes its terms to `sink`. Beyond the speed range
+/// `seen` of the fit [rpm], continued() extrapolates laws of the speed.
 void add_share(const Share& share, const Series& series, const Interval& seen, const Sink& sink);
 
 }  // namespace raceway::correction

@@ -8,33 +8,33 @@
 
 namespace raceway::correction {
 
-/// Response over time to a step of one input, from rest. Each part is a lag: gain (1 - exp(-t/T)).
+/// Displacement over time after a step of one input, from rest: a sum of lags gain (1 - exp(-t/T))
+/// and an instant displacement.
 struct StepResponse {
   std::string name{};   ///< name of the channel or effect
-  std::string input{};  ///< readable name of the input that steps
+  std::string input{};  ///< description of the input that steps
   double step = 1.0;    ///< size of the step in `unit`
-  std::string unit{};   ///< "K"; empty for an input without a unit
+  std::string unit{};   ///< such as "K"; empty for an input without a unit
   struct Part {
-    std::string name{};            ///< "section 1", or the effect that added the part
-    double gain = unset;           ///< final displacement after the step [m]
+    std::string name{};   ///< "section 1" for the first lag, or the effect that adds the lag
+    double gain = unset;  ///< final displacement after the step [m]
     double time_constant = unset;  ///< [s]
   };
   std::vector<Part> parts{};
-  double at_once = 0.0;               ///< instant part without a lag [m]
-  double sensor_time_constant = 0.0;  ///< time constant of a slow sensor [s]
-  /// Displacement for each sample [m]; used for published coefficients instead of `parts`.
+  double at_once = 0.0;               ///< instant displacement [m]
+  double sensor_time_constant = 0.0;  ///< time constant of the effect sensor-lag [s]
+  /// Displacement at each sample [m]. Published coefficients have this list instead of `parts`.
   std::vector<double> sampled{};
   double sampling = unset;  ///< [s]
-  /// Effects that change the response under other conditions: at other speeds, during cooling, or
-  /// with the coolant off.
+  /// Effects that change the response at other speeds, during cooling, or with the coolant off.
   std::vector<std::string> changed_by{};
 };
 
-/// Returns the step responses of all channels of a model and of all effects that are lags. An
-/// effect on a channel is part of the response of that channel. The step is 1 K, W or m/min, or
-/// 1000 rpm. The record determines the input values for a delay element (the median above zero, the
-/// largest, and the lowest below zero) and the duration for published coefficients. Effects without
-/// a lag and the kinematic law are left out.
+/// Returns the step responses of all channels of a model and of all effects with a lag. The
+/// response of a channel includes the effects on this channel. The step is 1 K, 1 W, 1 m/min or
+/// 1000 rpm. For a delay element, the steps are inputs of the record: the median above zero, the
+/// largest, and the lowest below zero. Responses with published coefficients last half of the
+/// longest run. Effects without a lag and the kinematic law are left out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

@@ -9,53 +9,55 @@
 
 namespace raceway::correction {
 
-/// Transfer function with coefficients as papers and controls print them, for one sampling time.
+/// Discrete transfer function from an input u to a displacement y, with published coefficients that
+/// are valid for one sampling time.
 ///
 ///   y(k) = sum a(i) u(k-i) - sum b(i) y(k-i),   b(0) = 1
 ///
-/// Source:   [Transfer2022, eq. 1], [S3]; a in um/K (not um/(s K), as printed), here [m/K].
-/// Traps:    slow poles are so close to 1 that the printed digits determine gain and stability.
+/// Source:   [Transfer2022, eq. 1], [S3]; a is in um/K, although um/(s K) is printed; here [m/K].
+/// Traps:    slow poles are so close to 1 that the last printed digits decide gain and stability.
 ///           With a sampling time of 1 s and time constants of 5400 and 900 s, the coefficients of
 ///           the denominator have a sum of only 2e-7. The program therefore reads, checks and runs
-///           transfer functions, but identify() uses sections. Only the ARX baseline fits transfer
-///           functions, for comparison.
+///           transfer functions, but identify() fits first-order lags. Only arx_baseline() fits
+///           transfer functions.
 struct TransferFunction {
   std::vector<double> numerator, denominator;
   double sampling = unset;  ///< [s]
 };
 
-/// Returns the function without a common root of numerator and denominator at exactly 1. A pole at
-/// 1 never decays. In exact arithmetic, the two roots cancel, but the numerical result drifts.
-/// Throws std::invalid_argument if a polynomial is empty, b(0) is not 1, a coefficient is not
-/// finite, or the sampling time is not positive.
+/// Returns the function without the roots at exactly 1 that numerator and denominator share. In
+/// exact arithmetic these roots cancel; in floating point the output drifts, because a pole at 1
+/// never decays. Throws std::invalid_argument if a polynomial is empty, b(0) is not 1, a
+/// coefficient is not finite, or the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
-/// Returns the reduced function with a numerator in um per `unit` [SI] of the input and with two
-/// polynomials of equal length. Coefficients have 15 digits. With slow poles, the omitted digits
-/// change the gain by 1e-9. All programs that run the function therefore use these rounded
-/// coefficients, so that their results agree.
+/// Returns the result of reduced() with a numerator in um per `unit` [SI] of the input. Both
+/// polynomials have the same length. The coefficients are rounded to 15 digits, which changes the
+/// gain by about 1e-9 if the poles are slow. All exported programs use these rounded coefficients,
+/// so their results agree.
 [[nodiscard]] TransferFunction direct_form(const TransferFunction& printed, double unit);
 
-/// Runs the function from rest in double precision. The input has the sampling time of the
-/// function.
+/// Returns the displacement at every sample of the input, from rest and in double precision. The
+/// samples of the input must have the sampling time of the function.
 [[nodiscard]] std::vector<double> run(const TransferFunction& printed,
                                       std::span<const double> input);
-/// Runs the function as a controller does: in single precision and without cancelling roots.
+/// Returns the displacement as a controller computes it: in single precision and with the published
+/// coefficients, including common roots.
 [[nodiscard]] std::vector<float> run_single(const TransferFunction& printed,
                                             std::span<const float> input);
 
-/// Transfer function as the sum of a direct feedthrough and of lags that follow the previous input
-/// sample.
+/// Transfer function as the sum of an instant response and of first-order lags. The lags respond to
+/// the previous input sample.
 ///
 ///   y(k) = through u(k) + sum x_i(k),   x_i(k) = x_i(k-1) + rise_i (gain_i u(k-1) - x_i(k-1))
 ///
-/// Source:   partial fractions of the reduced function in z^-1.
+/// Source:   partial fractions of the result of reduced() in z^-1.
 /// Domain:   the poles are real, distinct and in the open interval (0, 1). The numerator is not
 ///           longer than the denominator.
-/// Accuracy: limited by the poles, which are found in extended precision because poles of slow
-///           bodies lie within 1e-4 of each other.
-/// Traps:    the two forms agree only at the sampling time dt of the function. A lag has the time
-///           constant -dt/ln(1 - rise), and its input is held between samples.
+/// Accuracy: limited by the poles. They are computed in extended precision, because poles of slow
+///           bodies differ by less than 1e-4.
+/// Traps:    the lags agree with the transfer function only at its sampling time dt. A lag has the
+///           time constant -dt/ln(1 - rise), and its input is constant between samples.
 struct ParallelForm {
   struct Lag {
     double rise, gain;  ///< rise: 1 - pole [1]; gain: in the unit of a(0)
@@ -64,35 +66,39 @@ struct ParallelForm {
   std::vector<Lag> lags{};
 };
 
-/// Throws std::invalid_argument if a pole prevents this form; the message names the pole.
+/// Returns this form of a transfer function. Throws std::invalid_argument if a pole is outside the
+/// domain of ParallelForm; the message names the pole.
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
 
-/// Returns one sentence for each kind of pole that no thermal body has: on or outside the unit
-/// circle, negative, or complex.
+/// Returns a warning for each kind of pole that no thermal body has: on or outside the unit circle,
+/// negative, or complex. Without such poles, the list is empty.
 [[nodiscard]] std::vector<std::string> pole_warnings(const TransferFunction& printed);
 
-/// Returns true if a pole of the reduced function lies on or outside the unit circle.
+/// Returns true if the result of reduced() has a pole on or outside the unit circle.
 [[nodiscard]] bool never_decays(const TransferFunction& printed);
 
-/// Properties of published coefficients.
+/// Results of check() for published coefficients.
 struct TransferFunctionCheck {
-  std::vector<std::complex<double>> poles{};  ///< poles as printed, the largest first
+  std::vector<std::complex<double>> poles{};  ///< poles with common roots, the largest first
   /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
-  double dc_gain = unset;  ///< in the unit of a(0)
-  /// Range of the gain from rounding the last printed digit of every coefficient: 5th and 95th
-  /// percentile of 4000 draws, and the share of unstable draws.
+  double dc_gain = unset;  ///< final displacement per unit step, in the unit of a(0)
+  /// 5th and 95th percentile of the DC gain in 4000 random draws. A draw varies all coefficients
+  /// within the rounding of their last digits. `unstable_share` is the share of draws with a pole
+  /// on or outside the unit circle.
   double dc_gain_lower = unset, dc_gain_upper = unset;
   double unstable_share = unset;
-  double feedthrough = unset;  ///< a(0): instant part of the response to a step
-  /// Error of the step response after 40 h in single precision, divided by the gain [1].
+  double feedthrough = unset;  ///< a(0): instant displacement per unit step of the input
+  /// Error of the step response in single precision after 40 h (at most 2 million samples), divided
+  /// by the DC gain [1].
   double single_error = unset;
-  std::vector<std::string> warnings{};  ///< warnings for the reader, one sentence each
+  std::vector<std::string> warnings{};  ///< warnings, one sentence each
 };
 
-/// Checks published coefficients. `quantum` is the resolution of the input's sensor in its unit.
-/// `unit` is the unit of the displacement. A warning is added if one step of the resolution moves
-/// the displacement by more than a tenth of this unit.
+/// Checks published coefficients for implausible poles, for the effects of rounding and for steps
+/// in the output. `quantum` is the resolution of the input's sensor in its unit. `unit` is the unit
+/// of the displacement. A warning is added if a step of the input by `quantum` instantly moves the
+/// displacement by more than 0.1 `unit`.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
                                           std::string_view unit = "um");
 

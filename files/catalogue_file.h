@@ -8,7 +8,8 @@
 
 namespace raceway::files {
 
-/// Preload class of a mounted pair (light, medium or strong), with the numbers of the manufacturer.
+/// Preload class of a mounted bearing pair (light, medium or strong), as published by the
+/// manufacturer.
 struct PairPreload {
   double force = unset;           ///< [N]
   double axial_rigidity = unset;  ///< rigidity of the pair [N/m]
@@ -18,8 +19,8 @@ struct PairPreload {
 struct CatalogueBearing {
   std::string maker;
   std::string designation;
-  /// C0 is for steel balls. Manufacturers do not print groove radii, so both conformities are the
-  /// default 0.52.
+  /// C0 is for steel balls. Manufacturers do not publish groove radii, so both conformities are
+  /// 0.52.
   bearing::BearingGeometry geometry;
   double width = unset;                               ///< [m]
   double mass = unset;                                ///< [kg]
@@ -28,40 +29,41 @@ struct CatalogueBearing {
   double speed_limit_oil = unset;                     ///< [rad/s]
   double speed_limit_grease = unset;                  ///< [rad/s]
   PairPreload light, medium, strong;
-  double spring_preload_at_speed_limit = unset;  ///< smallest spring preload at the speed limit [N]
+  double spring_preload_at_speed_limit = unset;  ///< least spring preload at the speed limit [N]
 
-  /// "GMN S 6014 C TA".
+  /// Returns manufacturer and designation, such as "GMN S 6014 C TA".
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
-/// Returns the path of a data file or data folder. The function looks in share/raceway of the
-/// installation to which the program or the shared library belongs, then in the source tree, then
-/// in the installation folder set at build time. The path is empty if nothing is found.
+/// Returns the path of a data file or folder of raceway; empty if it is not found. The function
+/// searches share/raceway of the installation of this program or library, then the source tree,
+/// then the installation folder set at build time.
 [[nodiscard]] std::string data_file(const std::string& name);
 
-/// Returns the data folder, which contains the catalogues in bearings/; empty if it is not found.
+/// Returns the path of raceway's data folder with the catalogues in bearings/; empty if it is not
+/// found.
 [[nodiscard]] std::string data_directory();
 
-/// Returns the user's data folder from the environment variable RACEWAY_DATA; empty if it is not
-/// set. Throws InputError if the path is not a folder.
+/// Returns the path of the user's data folder from the environment variable RACEWAY_DATA; empty if
+/// the variable is not set. Throws InputError if the path is not a folder.
 [[nodiscard]] std::string own_data_directory();
 
 /// Reads one catalogue file. A line `# maker: NAME` names the manufacturer. Without this line, the
 /// name is the file name up to the first underscore, in capitals. Throws InputError like
-/// read_csv(), and for impossible values.
+/// read_csv(), and for values outside the allowed ranges.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogue(const std::string& path);
 
 /// Parses a catalogue from its text.
 [[nodiscard]] std::vector<CatalogueBearing> parse_catalogue(std::string text,
                                                             const std::string& path);
 
-/// Returns the rows of the user's folder (bearings/*.csv, or *.csv if it has no folder bearings),
-/// then the rows of bearings/*.csv in the data directory, file by file. Throws InputError if
-/// RACEWAY_DATA names a folder without a catalogue, or if no catalogue is found.
+/// Returns the rows of all catalogues: first of the user's data folder (bearings/*.csv, or *.csv if
+/// it has no folder bearings), then of bearings/*.csv in raceway's data folder. Throws InputError
+/// if RACEWAY_DATA names a folder without a catalogue, or if no catalogue is found.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogues();
 
-/// Returns the rows whose name contains `filter`, or all rows if `filter` is empty. Case, blanks
-/// and a trailing "TA" do not matter.
+/// Returns the rows whose name contains `filter`; all rows if `filter` is empty. Case, blanks and a
+/// trailing "TA" are ignored.
 [[nodiscard]] std::vector<CatalogueBearing> matching_bearings(
     const std::vector<CatalogueBearing>& rows, std::string_view filter);
 
@@ -69,8 +71,8 @@ struct CatalogueBearing {
 [[nodiscard]] const CatalogueBearing* known_bearing(const std::vector<CatalogueBearing>& rows,
                                                     std::string_view name);
 
-/// Returns the row with this name. Case, blanks, the manufacturer's name and a trailing "TA" do not
-/// matter. For an unknown name, throws InputError with similar names.
+/// Returns the row with this name. Case, blanks, the manufacturer's name and a trailing "TA" are
+/// ignored. Throws InputError with similar names if there is no such row.
 [[nodiscard]] CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows,
                                             std::string_view name);
 

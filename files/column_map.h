@@ -15,10 +15,10 @@
 
 namespace raceway::files {
 
-/// Conversion of a cell to SI.
+/// Conversion of a number in a measurement file to SI.
 struct CellUnit {
   const text::Unit* unit = nullptr;  ///< null: the unit of the channel
-  double factor = 1.0;               ///< the user's factor, applied first: -1 changes the sign
+  double factor = 1.0;  ///< factor by which the number is multiplied first; -1 changes the sign
 
   [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
     return unit ? unit->to_SI(cell * factor) : channel.to_SI(cell * factor);
@@ -28,7 +28,7 @@ struct CellUnit {
   }
 };
 
-/// A channel identified by a column name in a file.
+/// A quantity (channel) and its unit, identified by a column name in a file.
 struct NamedChannel {
   const record::Channel* channel;
   const text::Unit* unit =
@@ -39,33 +39,34 @@ struct NamedChannel {
 /// a count).
 [[nodiscard]] const text::Unit* unit_of(const record::Channel& channel);
 
-/// Returns the channel with this name; nothing if there is none. The name may have another unit of
-/// the same dimension: "friction_torque_Nm", "speed [1/min]".
+/// Returns the one of `channels` with this name; nothing if there is none. The unit in the name may
+/// be another unit of the same dimension: "friction_torque_Nm", "speed [1/min]".
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
-/// Works like named_channel(), for a quantity of records over time: "front_bearing_temperature_K",
+/// Works like named_channel(), for all quantities of time records: "front_bearing_temperature_K",
 /// "displacement_z [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
-/// Works like named_channel(), for a record of a spindle. All temperatures of a spindle count as
-/// measured, except temperatures of the surroundings.
+/// Works like named_channel(), for all quantities of a spindle record. Temperatures of the
+/// surroundings are inputs, and all other temperatures are measured quantities.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
-/// One line of [columns]. The line states the source of one channel.
+/// One line of the table [columns] in a model file: the source of one quantity in a measurement
+/// file.
 struct ColumnRule {
   std::string key;                   ///< as written in [columns]: "friction_torque_Nmm"
-  const record::Channel* channel;    ///< channel that the key names
+  const record::Channel* channel;    ///< quantity that the key names
   const text::Unit* key_unit;        ///< unit at the end of the key; null: the unit of the channel
   std::string header{};              ///< header of the user's column; empty for a constant
   std::optional<double> constant{};  ///< value for all rows, in the unit of the key
   const text::Unit* unit = nullptr;  ///< unit of the user's column, if the rule states it
-  bool excel_date = false;           ///< true: the numbers are days since 1900, as in Excel
+  bool excel_date = false;           ///< true: the times are days since 1900, as in Excel
   double factor = 1.0;               ///< factor that multiplies the numbers
-  text::Place place{};               ///< place of the rule in the file
+  text::Place place{};               ///< file and line of the rule
 };
 
-/// One line of [transducers]: a displacement as a sum of readings of transducers.
+/// One line of the table [transducers]: a displacement as a weighted sum of transducer readings.
 struct Combination {
   struct Term {
     const record::Channel* transducer;
@@ -76,7 +77,7 @@ struct Combination {
   text::Place place{};
 };
 
-/// The tables [columns] and [transducers], from a model or from a separate file.
+/// The tables [columns] and [transducers] of a model file or of a separate file.
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
@@ -86,7 +87,8 @@ struct ColumnMap {
   std::vector<Combination> transducers{};               ///< only for a record over time
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
-  /// Returns the transducer with this name, in any unit of length: "x1_um", "x1 [nm]".
+  /// Returns the transducer in [transducers] with this name and any unit of length, such as "x1_um"
+  /// or "x1 [nm]"; nothing if there is none.
   [[nodiscard]] std::optional<NamedChannel> find_transducer(std::string_view name) const;
 };
 
@@ -95,17 +97,19 @@ struct ReadOptions {
   ColumnMap columns{};
   /// Calibration that converts a column torque_signal_V to friction torque.
   std::optional<rig::TorqueSensor> sensor{};
-  bool drop_nan = false;    ///< true: rows with a missing number are omitted and reported
-  bool over_time = false;   ///< true: the file is a record over time
-  bool of_spindle = false;  ///< true: the file is a record of a spindle over time
-  bool of_several = false;  ///< true: columns of the map may be in another file of the same record
+  bool drop_nan = false;    ///< true: rows with a missing number are omitted, with a note
+  bool over_time = false;   ///< true: the file is a time record
+  bool of_spindle = false;  ///< true: the file is a time record of a spindle
+  /// True: columns of `columns` may be in another file of the same record.
+  bool of_several = false;
 };
 
-/// Returns all channels that a file may have: channels of a record, of a fall between two speeds,
-/// of a torque sensor and of its calibration.
+/// Returns all quantities that a measurement file may contain: quantities of a record, of a
+/// coast-down between two speeds, of a torque sensor and of its calibration.
 [[nodiscard]] std::span<const record::Channel* const> file_channels();
 
-/// Reads a file with only [columns], [transducers] or both. Throws InputError like read_model().
+/// Reads a file that contains only [columns], [transducers] or both. Throws InputError like
+/// read_model().
 [[nodiscard]] ColumnMap read_column_map(const std::string& path);
 [[nodiscard]] ColumnMap parse_column_map(std::string_view text, const std::string& source);
 

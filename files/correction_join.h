@@ -8,28 +8,28 @@
 
 namespace raceway::files {
 
-/// A correction file made from several correction files.
+/// Result of join_corrections().
 struct JoinedCorrection {
   std::string text;
-  std::vector<NamedFile> files{};     ///< files named in the text; empty if `path` is given
-  std::vector<record::Note> notes{};  ///< notes on unused tables and on the trust
+  std::vector<NamedFile> files{};     ///< files that the text names; empty if `path` is given
+  std::vector<record::Note> notes{};  ///< notes on unused tables and on the unknown trust
 };
 
-/// Sums corrections of one displacement. The joined file has the channels, laws and effects of all
-/// files, unchanged. Offsets are added. If several files give a range for the same input, the
-/// joined range is the intersection of these ranges. Free parameters of a file stay free, and
-/// parameters with a prior become free. The kinematic law of a file without a list of free
-/// parameters is fixed unless it has a prior. Parameters fitted to a record get a prior from their
-/// covariance, except for the offset. In a file without priors and without a list of free
-/// parameters, delay elements and the kinematic law get the priors of correction/prior.h. The
-/// priors are needed because a record of the whole machine seldom separates the displacements that
-/// the single files describe. File names in the text are relative to `path`, or absolute if `path`
-/// is empty.
+/// Returns a correction file whose prediction is the sum of the corrections of several files for
+/// one displacement. It contains the channels, kinematic law and effects of all files, unchanged.
+/// Offsets are added. If several files give a range for the same input, the new range is the
+/// intersection. Free parameters of a file stay free, and parameters with a prior become free. The
+/// kinematic law of a file without a list of free parameters is fixed unless it has a prior.
+/// Parameters fitted to a record get a prior from their covariance, except for the offset. In a
+/// file without priors and without a list of free parameters, delay elements and the kinematic law
+/// get the priors of correction/prior.h. The priors are needed because a record of the whole
+/// machine seldom separates the displacements of the single files. File names in the text are
+/// relative to the folder of `path`, or absolute if `path` is empty.
 ///
 /// Throws InputError for fewer than two files, for a file with several displacements or with
-/// another displacement, for two channels with the same name, for two laws of kinematic
-/// displacement, for different sampling intervals, for a channel, law or effect in an inline table,
-/// and for ranges that do not overlap.
+/// another displacement, for two channels with the same name, for two kinematic laws, for different
+/// sampling intervals, for a channel, law or effect in an inline table, and for input ranges that
+/// do not overlap.
 [[nodiscard]] JoinedCorrection join_corrections(std::span<const CorrectionFile> files,
                                                 const std::string& path);
 

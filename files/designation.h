@@ -9,41 +9,42 @@
 
 namespace raceway::files {
 
-/// Data in the designation of a bearing, for the designation systems of SKF, SNFA, FAG, Barden,
+/// Properties that the designation of a bearing states, in the systems of SKF, SNFA, FAG, Barden,
 /// NSK, NTN and GMN.
 ///
 /// Most designations contain the digits of the ISO system, such as 7014. SNFA (VEX 70), the
 /// high-speed series of NTN (HSE014), Barden (114HC) and the robust series of NSK (70BNR10) use
-/// other forms. Manufacturers use the same letters for the same angles. The exceptions are rows of
-/// the table in designation.cpp: E is 25 deg after "B7014-" of FAG and "S 6014 " of GMN, and a
-/// design variant of SKF after C or AC. Cage, seals and precision are ignored.
+/// other forms. Manufacturers use the same letters for the same angles. Exceptions are in a table
+/// in designation.cpp: E means 25 deg after "B7014-" of FAG and "S 6014 " of GMN, but a design
+/// variant after C or AC of SKF. Codes of cage, seals and precision are ignored.
 ///
 /// Source: SKF, Super-precision bearings, 13383, and for the series of SNFA 06939 (HB, HX) and
 /// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
 /// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260, p. 56, and ULTAGE, 7000
-/// and 7900; GMN, High Precision Ball Bearings, 4001. Only text copies were read: the given pages
-/// of Barden and NTN, and the titles of the SKF publications. The catalogues of Schaeffler, NSK and
-/// GMN were not read. The codes for angle, balls and preload of NSK, NTN and FAG were compared with
-/// tables of dealers. The angle digits of SNFA were not checked.
+/// and 7900; GMN, High Precision Ball Bearings, 4001. Of these, only text copies of the given pages
+/// of Barden and NTN and the titles of the SKF publications were seen. The codes for angle, balls
+/// and preload of NSK, NTN and FAG were compared with tables of dealers. The angle digits of SNFA
+/// were not checked.
 struct Designation {
-  std::string series{};          ///< as written: "70", "719", "VEX", GMN "60", "619"
+  std::string series{};          ///< series as written: "70", "719", "VEX"; "60", "619" of GMN
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
-  std::string bore_code{};       ///< "14"
+  std::string bore_code{};       ///< bore code: "14"
   double contact_angle = unset;  ///< [rad]; NaN if not stated
-  std::string angle_code{};      ///< "AC"
+  std::string angle_code{};      ///< code of the contact angle: "AC"
   bool ceramic_balls = false;
   std::string ball_code{};    ///< code of ceramic balls: "HC"
   std::string preload{};      ///< preload class: "light", "medium", "heavy" or "extra light"
-  std::string arrangement{};  ///< "DB", "DF", "DT"
+  std::string arrangement{};  ///< arrangement of a set: "DB", "DF", "DT"
   std::string other_type{};   ///< type if it has no angular contact: "a cylindrical roller bearing"
 
   /// Returns the size of the bearing: "6014" for "B7014-C"; empty if not known.
   [[nodiscard]] std::string size() const;
-  /// Returns the boundary dimensions of the size from ISO 15.
+  /// Returns the boundary dimensions of the size from ISO 15; nothing if the size is unknown.
   [[nodiscard]] std::optional<BoundaryDimensions> boundary() const;
 };
 
-/// Parses a designation. Never throws; unknown data stay empty or NaN.
+/// Parses a designation. Properties that it does not state stay empty or NaN. The function never
+/// throws.
 [[nodiscard]] Designation read_designation(std::string_view text);
 
 /// Throws InputError if the designation names a bearing without angular contact.

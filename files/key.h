@@ -10,19 +10,19 @@
 #include "record/parameter.h"
 #include "record/units.h"
 
-/// Describes the keys of model files as data. Each reader has its own table of keys.
-/// files/key_tables.h lists all tables.
+/// Defines tables of the keys of model files. Each reader has its own tables; files/key_tables.h
+/// lists them all.
 namespace raceway::files {
 
-/// Kind and allowed values of a key.
+/// Kind and allowed values of a key in a model file.
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
-  double lower = unset, upper = unset;  ///< closed range of a number, in `unit`
+  double lower = unset, upper = unset;  ///< limits of a number, in `unit`; both are allowed
   std::string_view unit{};              ///< "" if dimensionless
   std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
   bool whole = false;        ///< true: the number must be whole
 
-  /// Returns the allowed texts as a list.
+  /// Returns the allowed texts as a list, empty if any text is allowed.
   [[nodiscard]] std::vector<std::string> choices() const {
     std::vector<std::string> list;
     for (std::size_t begin = 0, end = 0; end < words.size(); begin = end + 1) {
@@ -35,10 +35,10 @@ struct Form {
 
 struct Required {};
 
-/// Default of a key that a file does not contain.
+/// Default for a key that a model file does not contain.
 struct Default {
-  double value = unset;      ///< value of a number, in its unit; NaN without words: no default
-  std::string_view words{};  ///< one of the allowed texts, or the origin of the default
+  double value = unset;      ///< default number, in its unit; NaN with empty `words`: no default
+  std::string_view words{};  ///< default text, or a description of the default
   bool required = false;     ///< true: the key has no default, and its table must contain it
 
   constexpr Default() = default;
@@ -51,12 +51,12 @@ struct Default {
 };
 
 struct Key {
-  std::string_view name;  ///< name with unit; the user chooses the part in capitals
+  std::string_view name;  ///< name with unit; the user replaces a part in capitals
   Form form;
   Default fallback;
   std::string_view meaning;
 
-  /// Returns the key with another name and unit, for a number whose unit another key gives.
+  /// Returns the key with another name and unit.
   [[nodiscard]] constexpr Key as(std::string_view other, std::string_view unit) const {
     Key key = *this;
     key.name = other;
@@ -65,13 +65,12 @@ struct Key {
   }
 };
 
-/// Keys of one table, or the keys of this table that one reader reads.
+/// Keys of one table of a model file that one reader reads.
 struct KeyTable {
-  /// Name such as "bearing" or "correction.channel". The user chooses a part that is written in
-  /// capitals.
+  /// Name such as "bearing" or "correction.channel". The user replaces a part in capitals.
   std::string_view name;
   std::span<const Key> keys;
-  std::string_view only{};  ///< restriction, "of a spindle", "law skf"; "" if none
+  std::string_view only{};  ///< restriction to some models: "of a spindle", "law skf"; "" if none
 };
 
 // Helpers for writing tables of keys.

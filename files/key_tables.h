@@ -9,27 +9,27 @@
 
 namespace raceway::files {
 
-/// A key of model files with its table.
+/// A key of model files and the name of its table.
 struct ListedKey {
   std::string_view table;  ///< name of the table, as in KeyTable
   std::string_view only;   ///< restriction of the table, as in KeyTable
   Key key;
 
   [[nodiscard]] std::string meaning() const;
-  /// Returns the default as text: a number, a word in quotes, or a description of its origin. The
-  /// text is empty if the key has no default.
+  /// Returns the default as text: a number, a word in quotes, or a description. The text is empty
+  /// if the key has no default.
   [[nodiscard]] std::string fallback() const;
 };
 
-/// Returns the tables of the reader in files/correction_file.h.
+/// Returns the key tables that files/correction_file.h reads.
 [[nodiscard]] std::vector<KeyTable> correction_tables();
 
-/// Returns every key of model files, table by table. The keys for the numbers of effects are in the
-/// catalogues of effects.
+/// Returns every key of model files, table by table. The parameters of effects are not included;
+/// the catalogues of effects list them.
 [[nodiscard]] std::vector<ListedKey> model_keys();
 
-/// Returns the document `keys [{table, key, kind, unit, from, to, whole_number, required, choices,
-/// default, only, meaning}]`.
+/// Returns the keys as a JSON document, `keys [{table, key, kind, unit, from, to, whole_number,
+/// required, choices, default, only, meaning}]`.
 [[nodiscard]] std::string model_keys_json(std::span<const ListedKey> keys);
 
 }  // namespace raceway::files

@@ -12,25 +12,25 @@
 
 namespace raceway::files {
 
-/// A number of a model, as written in the file.
+/// A number that a model uses, with its name and origin.
 struct ModelDatum {
   enum class Origin { file, by_default, catalogue };
 
-  /// "bearing.ball_diameter_mm", "shaft.segment.2.length_mm" (counted from 0), or a parameter of an
-  /// effect, "lubricant-drag.torque_at_10000_rpm_Nmm".
+  /// Name such as "bearing.ball_diameter_mm", "shaft.segment.2.length_mm" (segment 0 is the first),
+  /// or "lubricant-drag.torque_at_10000_rpm_Nmm" for a parameter of an effect.
   std::string name;
-  double value;  ///< in the unit of its name
+  double value;  ///< value in the unit at the end of `name`
   Origin origin = Origin::file;
-  bool whole = false;   ///< true: the value is a count
-  bool marked = false;  ///< true: the file marks the value as a guess
+  bool whole = false;   ///< true: the value must be a whole number
+  bool marked = false;  ///< true: the file marks the value as assumed or estimated
 };
 
-/// All numbers that a model uses: numbers in the file, defaults, and numbers of the bearing that
-/// [bearing] catalogue selects.
+/// All numbers that a model uses: numbers in the model file, defaults, and numbers of the catalogue
+/// bearing that the file names.
 ///
-/// Some numbers are not included: a default that follows from other numbers (a bore from pitch
-/// circle and balls); numbers that no prediction uses, such as [calibration] and [columns]; and
-/// choices, such as the settings of [solver] and the number of bearings in a set.
+/// Not included are defaults that are calculated from other numbers (such as the bore from pitch
+/// diameter and ball diameter), numbers that no prediction uses (such as in [calibration] and
+/// [columns]), settings of [solver], and the number of bearings in a set.
 class ModelData {
  public:
   /// Throws InputError like read_model().
@@ -38,13 +38,13 @@ class ModelData {
 
   [[nodiscard]] const std::vector<ModelDatum>& data() const { return data_; }
 
-  /// Returns the index of the datum with this name. The name needs no table if only one table has
-  /// the key. For an unknown name, throws InputError with similar names.
+  /// Returns the index in data() of the number with this name. The table in the name may be omitted
+  /// if only one table has the key. Throws InputError with similar names for an unknown name.
   [[nodiscard]] std::size_t find(std::string_view name) const;
 
-  /// Returns the model with new values of some data. Each change is the index of a datum and its
-  /// new value. Throws InputError for invalid values, like read_model(). Several threads may call
-  /// this function at the same time.
+  /// Returns the model with new values for some numbers. A change is an index in data() and the new
+  /// value. Throws InputError for invalid values, like read_model(). Several threads may call this
+  /// function at the same time.
   [[nodiscard]] ModelFile with(std::span<const std::pair<std::size_t, double>> changes) const;
 
  private:
@@ -53,22 +53,24 @@ class ModelData {
   std::vector<ModelDatum> data_;
 };
 
-/// Spread of a number as the user writes it: "0.01" in the unit of the number, or "10%" of the
-/// number.
+/// Spread of a number of a model as the user writes it: "0.01" in the unit of the number, or "10%"
+/// of its value.
 struct SpreadText {
   std::string name;
   std::string text;
 };
 
-/// Parses "ball_diameter_mm=0.01,lubricant.viscosity_40C_mm2_s=10%". Throws InputError.
+/// Parses a list such as "ball_diameter_mm=0.01,lubricant.viscosity_40C_mm2_s=10%". Throws
+/// InputError for a text of another form.
 [[nodiscard]] std::vector<SpreadText> parse_spreads(const std::string& list);
 
-/// Reads spreads from a file with the keys of a model. A value is the spread of the number with
-/// this key, or a text such as "10%". Throws InputError.
+/// Reads spreads from a file with the tables and keys of a model file. The value of a key is the
+/// spread of this number, or a text such as "10%". Throws InputError for other values and for a
+/// file that cannot be read.
 [[nodiscard]] std::vector<SpreadText> read_spreads(const std::string& path);
 
-/// Returns the spread in the unit of a number with this value. Throws InputError if the spread is
-/// not a number, is negative, or is a percentage of zero.
+/// Returns the spread of a number, in its unit; `value` is the number. Throws InputError if the
+/// spread is not a number, is negative, or is a percentage of 0.
 [[nodiscard]] double spread_of(const SpreadText& spread, double value);
 
 }  // namespace raceway::files

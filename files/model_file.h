@@ -17,35 +17,35 @@
 
 namespace raceway::files {
 
-/// A model read from its file.
+/// Contents of a model file.
 struct ModelFile {
   model::Model model;
   std::string source;  ///< file name, for messages
   std::string text;    ///< text of the file; with_values() and with_model() edit it
-  /// Full name of the row selected by [bearing] catalogue; empty without one.
+  /// Full name of the catalogue bearing that the file names; empty without one.
   std::string catalogue = {};
-  /// Keys of [bearing], of the bearings of an [arrangement] and of [solver] whose values differ
-  /// from defaults and catalogue, and all keys of the file that only the contact law uses.
+  /// Keys of [bearing], [arrangement] bearings and [solver] whose values differ from the default or
+  /// the catalogue, and all keys of the file that only the contact law uses.
   std::vector<std::string> written = {};
   /// All defaults that were used.
   std::vector<UsedDefault> defaults;
-  /// Further notes, one line each, without the name of the file.
+  /// Other notes, one line each, without the name of the file.
   std::vector<record::Note> notes = {};
   ColumnMap columns = {};  ///< rules for the columns of measurements
-  /// Torque sensor, if the file names one.
+  /// Calibration of the torque sensor, if the file contains or names one.
   std::optional<rig::TorqueSensor> sensor = {};
-  std::vector<NamedFile> files = {};  ///< files named in the model, as they were read
+  std::vector<NamedFile> files = {};  ///< files that the model names, with their contents
 };
 
-/// Reads a TOML model into SI. `raceway keys` lists the keys with their units.
+/// Reads a model file (TOML) and converts it to SI. `raceway keys` lists the keys with their units.
 ///
 /// Throws InputError with file, line, key, value and allowed range for invalid TOML, unknown or
-/// missing keys and tables, wrong types, values out of range, impossible bearings and invalid
-/// formulas.
+/// missing keys and tables, wrong types, values out of range, bearings with an impossible geometry
+/// and invalid formulas.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
-/// Reads a model from its text. `source` is the file name in messages. File names in the model are
-/// relative to the folder of `source`. Files in `held` are not read again.
+/// Parses the text of a model file. `source` is the file name in messages. File names in the text
+/// are relative to the folder of `source`. The contents of files in `held` are not read again.
 [[nodiscard]] ModelFile parse_model(std::string text, const std::string& source,
                                     std::vector<NamedFile> held = {});
 
@@ -55,45 +55,47 @@ struct KeyValue {
   /// [[effect]].
   std::string key;
   double value;
-  /// New comment after the value. If this text is empty, the present comment stays. A table in
+  /// New comment after the value. If it is empty, the present comment stays. A value in a table in
   /// braces gets no comment.
   std::string comment = {};
 };
 
-/// Returns the text with these values. Comments, order and blanks do not change. A missing key with
-/// a default is added to its table. A model that is read from the new text has exactly these
-/// values. Throws InputError if the text is not TOML or lacks the [[effect]], and
+/// Returns the text of a model file with these values. Comments, order and blanks do not change. A
+/// missing key that has a default is added to its table. parse_model() reads exactly these values
+/// from the result. Throws InputError if the text is not TOML or lacks the [[effect]] of a key, and
 /// std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
-/// Returns the text with this effect as a new [[effect]] at its end. Nothing else changes. A model
-/// that is read from the new text has exactly this effect. Throws std::invalid_argument for a value
-/// that is not finite.
+/// Returns the text of a model file with this effect as a new [[effect]] at its end. Nothing else
+/// changes. parse_model() reads exactly this effect from the result. Throws std::invalid_argument
+/// for a value that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
-/// Returns the text of a file with the numbers of `fitted`: every number of model::parameters() at
-/// all its addresses, the effects that the file lacks, and the covariance of the fitted numbers.
-/// Nothing else changes. A changed number has 15 digits, as in results. Throws the same exceptions
-/// as with_values(). Also throws InputError if the covariance in the file is a table in braces, and
-/// std::invalid_argument if the covariance has a parameter that the model lacks.
+/// Returns the text of a model file with the values of `fitted`: all parameters of
+/// model::parameters(), the effects that the file lacks, and the covariance of the fitted
+/// parameters. Nothing else changes. A changed value has 15 digits, as in results. Throws the same
+/// exceptions as with_values(). Also throws InputError if the covariance in the file is a table in
+/// braces, and std::invalid_argument if the covariance of `fitted` has a parameter that the model
+/// lacks.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
-/// Returns a commented model of a catalogue bearing, with every default of the friction law.
+/// Returns the text of a model file for a catalogue bearing, with comments and all defaults of the
+/// friction law.
 [[nodiscard]] std::string new_model_text(
     const CatalogueBearing& row, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
 
-/// Contents and comments of a new model.
+/// Contents and comments of a new model file.
 struct ModelRemarks {
-  std::string title{};  ///< title for a rig; empty: states that the file has every default
+  std::string title{};  ///< first comment for a rig; empty: a usual text
   std::string ball_material = "steel";
-  /// Remarks by key, in place of the usual remarks.
+  /// Comments for single keys, in place of the usual comments.
   std::vector<std::pair<std::string_view, std::string>> of_key{};
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   bool of_spindle = false;  ///< true: a spindle with three of these bearings; false: a rig
   std::string oil{};        ///< ISO VG grade of the oil; empty: a thin spindle oil
 };
-/// Returns a commented model like new_model_text(). A bearing that is in no catalogue has no
-/// manufacturer.
+/// Returns the text of a model file like new_model_text(). For a bearing that is in no catalogue,
+/// `row.maker` is empty.
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);
 
 }  // namespace raceway::files

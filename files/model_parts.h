@@ -5,15 +5,16 @@
 
 namespace raceway::files {
 
-/// Kinds of tables in a model file. All members are empty if the text is not TOML; the reader of
-/// the model then reports the error.
+/// Tables that a model file contains. `bearing` is false and `displacements` is empty if the text
+/// is not TOML; parse_model() reports this error.
 struct ModelParts {
-  bool bearing = false;                      ///< true: the file has a table [bearing]
-  std::vector<std::string> displacements{};  ///< names in [correction] or in each [[correction]]
+  bool bearing = false;  ///< true: the file has a table [bearing]
+  /// Columns of the displacements in [correction] or [[correction]].
+  std::vector<std::string> displacements{};
 };
 [[nodiscard]] ModelParts parts_of(const std::string& text);
-/// Returns the kinds of tables in a file, or in standard input for `-`. Standard input can still be
-/// read afterwards. The result is empty for a file that cannot be read.
+/// Returns the tables of a file, or of standard input for `-`. Standard input can still be read
+/// afterwards. For a file that cannot be read, the result has no tables.
 [[nodiscard]] ModelParts parts_of_file(const std::string& path);
 
 }  // namespace raceway::files

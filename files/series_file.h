@@ -9,23 +9,23 @@
 
 namespace raceway::files {
 
-/// Reads a record over time into SI: time_s or dates, inputs of the machine, and displacements.
-/// docs/files.md lists the columns with their units. Other columns are not used in calculations,
-/// and a note lists them.
+/// Reads a time record and converts it to SI: time_s or dates, inputs of the machine, and
+/// displacements. docs/files.md lists the columns with their units. Other columns are not used in
+/// calculations, and a note lists them.
 ///
-/// An empty cell in a displacement means no reading. Inputs are filled between their readings
-/// (files/detail/filled_inputs.h). Only the displacements in `wanted` are kept; all of them if
-/// `wanted` is empty.
+/// An empty cell of a displacement is a missing reading. Empty cells of an input are filled from
+/// its other values (files/detail/filled_inputs.h). Only the displacements in `wanted` are kept;
+/// all of them if `wanted` is empty.
 ///
 /// Throws InputError if time_s is missing or does not rise within a run, if a column of `needed` is
-/// missing, if a column name looks misspelt, and for cells that are empty, not numbers or
-/// impossible. One message shows the first ten of these cells and counts the others.
+/// missing, if a column name looks misspelt, and for cells that are empty, not numbers or outside
+/// the allowed range. One message shows the first ten of these cells and the number of the others.
 [[nodiscard]] record::Record read_series(const Source& source,
                                          const std::vector<const record::Channel*>& wanted,
                                          const std::vector<const record::Channel*>& needed,
                                          const ReadOptions& options = {});
 
-/// Returns the options with `over_time` set, as read_series() needs them.
+/// Returns the options with `over_time` = true, as read_series() needs them.
 [[nodiscard]] ReadOptions over_time(ReadOptions options);
 
 }  // namespace raceway::files

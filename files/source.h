@@ -10,16 +10,16 @@
 
 namespace raceway::files {
 
-/// A file to read, or data that replace it: a text, or the columns of a table.
+/// A file to read, or its replacement: a text, or columns of measurements.
 struct Source {
   std::string name;                         ///< path of the file, or a name for messages
   std::shared_ptr<const std::string> text;  ///< null: the text is read from the file
   /// Columns of measurements; null if they are read from the text or the file.
   std::shared_ptr<const text::CsvTable> table;
-  /// Files that a model names, with the contents that they had when the model was read. Other files
-  /// are read from disk.
+  /// Files that a model names, with their contents when the model was read. Other files are read
+  /// from disk.
   std::vector<NamedFile> files{};
-  /// Further parts of a record over time, each with its own rows and clock.
+  /// Other files of the same time record, each with its own rows and times.
   std::vector<Source> beside{};
 
   Source(std::string path) : name(std::move(path)) {}  // NOLINT: a path is a source
@@ -32,7 +32,8 @@ struct Source {
       : name(columns->source), table(std::move(columns)) {}
 };
 
-/// Returns a source that can be read again: standard input and pipes become a text.
+/// Returns a source that can be read several times: for standard input and pipes, their contents as
+/// a text.
 [[nodiscard]] Source repeatable(const Source& source);
 
 }  // namespace raceway::files

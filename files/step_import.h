@@ -7,24 +7,27 @@
 #include "spindle/step_response.h"
 #include "text/error.h"
 
-/// Step responses computed by another program, such as a finite-element run of a spindle.
+/// Imports step responses that another program has computed, such as a finite-element analysis of a
+/// spindle.
 namespace raceway::files {
 
-/// Response to one load that starts at t = 0 from rest. The times are in ascending order.
+/// Displacement of a spindle over time at one power or speed, which starts at t = 0 from rest. The
+/// times are in ascending order.
 struct LoadCase {
   std::string name = {};
-  double power_start = unset, power_end = unset;  ///< [W]; NaN: the power follows from the speed
-  double speed = unset;                           ///< [rad/s]; NaN: only the power is known
-  double at_once = 0.0;                           ///< displacement at t = 0 [m]
-  std::vector<double> time = {};                  ///< [s]
-  std::vector<double> displacement = {};          ///< displacement after subtracting `at_once` [m]
-  text::Place place = {};                         ///< place of the first row
+  /// Power in the first and in the last row [W]; NaN: the power follows from the speed.
+  double power_start = unset, power_end = unset;
+  double speed = unset;                   ///< [rad/s]; NaN: only the power is known
+  double at_once = 0.0;                   ///< displacement at t = 0 [m]
+  std::vector<double> time = {};          ///< [s]
+  std::vector<double> displacement = {};  ///< displacement minus `at_once` [m]
+  text::Place place = {};                 ///< file and line of the first row
 };
 
-/// Reads a CSV with time_s, axial_displacement_um, and power_W or speed_rpm or both. Names with
-/// other units are allowed ("time_min", "axial_displacement [mm]"). A column load_case separates
-/// load cases with equal loads. Without this column, all rows with the same power are one case. If
-/// the file has no power, all rows with the same speed are one case. The rows may be in any order.
+/// Reads a CSV file with the columns time_s, axial_displacement_um, and power_W or speed_rpm or
+/// both. Names with other units are allowed ("time_min", "axial_displacement [mm]"). A column
+/// load_case assigns the rows to load cases. Without this column, all rows with the same power are
+/// one case; without a power, all rows with the same speed. The rows may be in any order.
 ///
 /// Throws InputError for a missing column, a cell that is not a number, a time below 0, a time that
 /// occurs twice in a case, and a speed that changes within a case.
@@ -33,24 +36,25 @@ struct LoadCase {
 /// Parses load cases from text; `source` is the file name in messages.
 [[nodiscard]] std::vector<LoadCase> parse_load_cases(std::string text, const std::string& source);
 
-/// SI values of the units of two columns without a header.
+/// Units of time and displacement in a file without a header: the SI values of one unit [s], [m].
 struct HistoryUnits {
   double time = 1.0, length = um;
 };
-/// Parses "s,um", "min,mm" or "s,m". Throws InputError that names `flag`.
+/// Parses two units such as "s,um", "min,mm" or "s,m". Throws InputError for other texts; the
+/// message contains `flag`.
 [[nodiscard]] HistoryUnits history_units(std::string_view text, const std::string& flag);
 
-/// Reads one load case from a time history of two columns, time and displacement, as ANSYS (PRVAR),
-/// CalculiX or a spreadsheet write them: with blanks, tabs, commas or semicolons between the
-/// numbers. Lines that begin with a word are skipped. `given` names the load and the file:
+/// Reads one load case from a file with two columns, time and displacement, as ANSYS (PRVAR),
+/// CalculiX and spreadsheets write them: with blanks, tabs, commas or semicolons between the
+/// numbers. Lines that begin with a word are skipped. `given` contains the load and the file name:
 /// "50W=a.csv", "6000rpm=b.txt".
 ///
 /// Throws InputError if the load is missing or is neither a power nor a speed, for rows that do not
 /// have two numbers, and for a time or a displacement that is not finite or out of range.
 [[nodiscard]] LoadCase read_history(const std::string& given, const HistoryUnits& units);
 
-/// Fits a step response to each case. If a case has no power, its response has no power either.
-/// Throws InputError for a case that cannot be fitted.
+/// Fits a step response to each load case. If the power of a case is NaN, the power of its step
+/// response is NaN too. Throws InputError for a case that cannot be fitted.
 [[nodiscard]] std::vector<spindle::StepResponse> fit_load_cases(const std::vector<LoadCase>& cases);
 
 }  // namespace raceway::files

@@ -8,25 +8,28 @@
 
 namespace raceway::files {
 
-/// A value that a model assumes: the default of a missing key, or a value marked as a guess.
+/// An assumed value of a model: the default of a missing key, or a value that the file marks as
+/// assumed or estimated.
 struct UsedDefault {
   enum class Origin {
-    marked,     ///< value in the file, marked by the comment `why`
+    marked,     ///< value in the file that the comment `why` marks
     key,        ///< default of the key
-    catalogue,  ///< value of the bearing that the file names
-    derived,    ///< value calculated from other values, as stated in `why`
+    catalogue,  ///< value of the catalogue bearing that the file names
+    derived,    ///< value that is calculated from other values, as `why` states
   };
   std::string table, key;  ///< `effect[0]` is the first effect
-  std::string value;       ///< value as in a file, or in words
+  std::string value;       ///< value as written in a model file, or a description
   Origin origin = Origin::key;
-  std::string why = {};  ///< reason for the reader; empty for Origin::key
+  std::string why = {};  ///< reason for the value; empty for Origin::key
 
-  /// Returns `solver.tilt = "locked"`, with the reason if there is one.
+  /// Returns a line such as `solver.tilt = "locked"`, with the reason in parentheses if there is
+  /// one.
   [[nodiscard]] std::string short_line() const {
     return fmt::format("{}.{} = {}{}", table, key, value,
                        why.empty() ? "" : fmt::format(" ({})", why));
   }
-  /// Returns `solver.tilt = "locked" (default)`; if there is a reason, it replaces "default".
+  /// Returns a line such as `solver.tilt = "locked" (default)`. A reason replaces the word
+  /// "default".
   [[nodiscard]] std::string line() const {
     return short_line() + (why.empty() ? " (default)" : "");
   }

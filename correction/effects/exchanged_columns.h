@@ -4,10 +4,10 @@
 
 namespace raceway::correction {
 
-/// Two temperature columns have exchanged names, because a plug or a header was exchanged. For each
-/// pair of temperatures of which the model uses at least one, faults() returns the record with the
-/// two columns exchanged. Columns with jumps are left out, and so are pairs that drive one channel
-/// together.
+/// Two temperature columns have exchanged names, because two plugs or two headers were exchanged.
+/// For each pair of temperatures with at least one input of the model, faults() returns the record
+/// with the two columns exchanged. Columns with jumps are left out, and so are pairs whose mean
+/// drives a channel.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

@@ -5,8 +5,8 @@
 
 namespace raceway::correction {
 
-/// The screw of an axis heats up as the axis moves. The displacement follows the absolute value of
-/// the feed with a gain and a first-order lag.
+/// The ball screw of an axis heats up as the axis moves. The displacement follows the absolute
+/// value of the feed rate or screw speed, with a gain and a first-order lag.
 struct FeedAxisHeat final : EffectKind {
   static constexpr EffectCard feed_card{
       .id = "feed-axis-heat",

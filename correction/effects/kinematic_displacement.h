@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// The shaft moves instantly with speed, by the law of shaft/kinematic_law.h.
+/// The shaft moves instantly with a change of speed, by the law in shaft/kinematic_law.h.
 struct KinematicDisplacement final : EffectKind {
   static constexpr record::NumberCard A{"A", "um", 0.0, -any_size, any_size};
   static constexpr record::NumberCard B{"B", "1", 0.7, 0.0, 1.2, 0.0, 1.2, unset};

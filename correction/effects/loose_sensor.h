@@ -4,10 +4,11 @@
 
 namespace raceway::correction {
 
-/// A temperature sensor came loose for some time: it measured only a share of the rise above
-/// ambient. The fault begins and ends with a jump of the reading. If one of the two jumps is
-/// missing, several times are tried for this jump: times at which the reading is close to ambient,
-/// and the end of the record on that side. Only records with one run are examined.
+/// A temperature sensor was loose for some time: it measured only a fraction of the temperature
+/// rise above ambient. The loose time begins and ends with a jump of the reading. If the record has
+/// only one of the two jumps, faults() tries several times for the other jump: times at which the
+/// reading is close to ambient, and the start or end of the record. Only records with one run are
+/// examined.
 struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",

@@ -6,9 +6,9 @@
 
 namespace raceway::correction {
 
-/// A motor heats up or cools down with the spindle. The displacement follows the motor temperature
-/// with a gain and a first-order lag. If the motor temperature is not recorded, the displacement
-/// follows exp(-n/n0) while the spindle turns at the speed n.
+/// The heat of a motor moves the machine. The displacement follows the motor temperature with a
+/// gain and a first-order lag. Without an unused column of the motor temperature, the input of the
+/// lag is exp(-n/n0) while the spindle turns at the speed n, and 0 at standstill.
 struct MotorHeat final : EffectKind {
   static constexpr record::NumberCard decay_speed{
       "decay_speed_rpm", "rpm", 2000, 300, 8000, 300, 8000, unset};

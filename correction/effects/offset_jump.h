@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// Size and time of one jump.
+/// Parameters of one jump: its size [um] and its time [s].
 inline constexpr record::NumberCard jump_size(std::string_view name) {
   return {name, "um", 0.0, -any_size, any_size};
 }
@@ -13,8 +13,8 @@ inline constexpr record::NumberCard jump_time(std::string_view name) {
   return {name, "s", 0.0, -any_size, any_size, -any_size, any_size, unset};
 }
 
-/// The reading jumps, for example because of a collet, a probe or a cable. The effect has up to
-/// three jumps, each with a size and a time.
+/// The displacement reading jumps, for example because of a collet, a probe or a cable. The effect
+/// has up to three jumps, each with a size and a time.
 struct OffsetJump final : EffectKind {
   static constexpr std::array jumps{jump_size("size"),   jump_time("time_s"),
                                     jump_size("size_2"), jump_time("time_2_s"),
@@ -42,7 +42,7 @@ struct OffsetJump final : EffectKind {
     if (!is_time(number)) return {};
     return {in.jump_times.begin(), in.jump_times.end()};
   }
-  /// Jumps after the first may be omitted.
+  /// Returns true for the second and third jump, which a model file may omit.
   [[nodiscard]] bool may_end_before(std::size_t number) const override {
     return number > 0 && !is_time(number);
   }

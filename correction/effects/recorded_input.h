@@ -10,12 +10,12 @@
 
 namespace raceway::correction {
 
-/// A recorded column that the model does not use moves the machine. The displacement follows this
-/// column with a gain and a first-order lag. A position is not a heat source, so its column has a
-/// gain but no lag. If all temperature channels of the model have one common reference, this
-/// reference is subtracted from a temperature column. A position can also define a window of the
-/// axis. In the window, the displacement follows the input of a channel with an additional gain and
-/// lag. Five windows within the recorded range of the position are tried.
+/// A recorded quantity that is not an input of the model moves the machine. The displacement
+/// follows its column with a gain and a first-order lag. An axis position is not a heat source, so
+/// it has a gain but no lag. If all temperature inputs of the model have one common reference
+/// temperature, it is subtracted from a temperature column. An axis position can also define a
+/// window. In the window, the displacement follows the input of a channel with an additional gain
+/// and lag. Five windows within the recorded range of the position are tried.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
@@ -54,7 +54,8 @@ struct RecordedInput final : EffectKind {
     return list;
   }
 
-  /// Without a time constant in the file, the displacement follows the column without a lag.
+  /// Returns true for the time constant. If a model file omits it, the displacement follows the
+  /// column without a lag.
   [[nodiscard]] bool may_end_before(std::size_t number) const override { return number == 1; }
 
   [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
@@ -75,10 +76,10 @@ struct RecordedInput final : EffectKind {
  private:
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
-  /// Returns the windows that are tried: a weight that rises linearly along the axis, the upper
-  /// half of the axis, and each third of the axis. The lower half needs no window: its share is the
-  /// response of the channel minus the share of the upper half. Edges are round numbers in the unit
-  /// of the column.
+  /// Returns the windows that are tried: a factor that rises linearly over the recorded range, the
+  /// upper half of this range, and each third of it. The lower half needs no window, because the
+  /// channel and the upper half together describe it. Limits are round numbers in the unit of the
+  /// column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);
@@ -94,13 +95,13 @@ struct RecordedInput final : EffectKind {
             between(third, third, two_thirds, two_thirds),
             between(two_thirds, two_thirds, endless, endless)};
   }
-  /// Returns true for all inputs except ambient temperatures (for ambient-drift), speeds, feeds and
-  /// the coolant state (which have their own effects) and applied offsets.
+  /// Returns false for ambient temperatures, speeds, feeds and the coolant state, which have
+  /// effects of their own, and for applied offsets. Returns true for all other inputs.
   static bool is_nameless(const Channel& c) {
     return !record::is_ambient(c) && !record::acts_by_amount(c) && c.kind != record::offset_kind;
   }
-  /// Returns the common reference of all temperature-driven channels, except the channel of the
-  /// reference itself; null if there is none.
+  /// Returns the common reference temperature of all channels with a temperature as input; null if
+  /// there is none. A channel whose only input is this reference is ignored.
   static const Channel* common_reference(const Model& m) {
     const Channel* common = nullptr;
     for (const DrivenChannel& c : m.channels)

@@ -5,8 +5,8 @@
 
 namespace raceway::correction {
 
-/// A second body warms up more slowly than the first one. The displacement also follows the input
-/// of a channel with a second gain and a second first-order lag.
+/// A second machine part warms up with another time constant. The displacement also follows the
+/// input of a channel with a second gain and a second first-order lag.
 struct SecondTimeConstant final : EffectKind {
   static constexpr EffectCard second_card{
       .id = "second-time-constant",

@@ -4,8 +4,9 @@
 
 namespace raceway::correction {
 
-/// The sensor lags behind the temperature. The input is therefore T (1 + τ s), with the reading T
-/// and the time constant τ of the sensor.
+/// The reading of a temperature sensor lags behind the temperature. The channel therefore has the
+/// input T (1 + τ s), with the reading T, the time constant τ of the sensor and the Laplace
+/// variable s.
 struct SensorLag final : EffectKind {
   static constexpr record::NumberCard lag{
       "sensor_time_constant_s", "s", 0.0, 0.0, 3600, 0.0, 3600, 0.0};

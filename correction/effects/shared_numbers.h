@@ -7,11 +7,11 @@
 
 namespace raceway::correction {
 
-/// Parameters that several effects share.
+/// Parameters that several effects have: an unbounded range, the gain and the time constant.
 inline constexpr double any_size = std::numeric_limits<double>::infinity();
 inline constexpr record::NumberCard gain_number{"gain", "um/u", 0.0, -any_size, any_size};
-/// Time constant [s]. For a fit, the length and the sampling interval of the record narrow these
-/// bounds.
+/// Time constant [s]. In a fit, the bounds are narrower, depending on the duration and the sampling
+/// interval of the record.
 inline constexpr record::NumberCard time_constant_number{
     "time_constant_s", "s", 3600, 1.0, 1e7, 1.0, 1e7, unset};
 inline constexpr std::array gain_and_time_constant{gain_number, time_constant_number};

@@ -7,7 +7,7 @@
 
 namespace raceway::correction {
 
-/// A slow part of the machine without a sensor settles over the whole record.
+/// A slow machine part without a sensor settles over the whole record: c (1 - exp(-t/τ)).
 struct SlowDrift final : EffectKind {
   static constexpr record::NumberCard size{"size", "um", 0.0, -any_size, any_size};
   static constexpr std::array both{size, time_constant_number};

@@ -5,7 +5,7 @@
 
 namespace raceway::correction {
 
-/// The machine warms up in a shorter time at a higher speed n:
+/// The time constant τ and the gain K of a channel's lags decrease with the speed n:
 ///
 ///   τ = τ0 f,  K = K0 f^g,  f = 1/(1 + s n/10 000 rpm)
 struct SpeedDependentTimeConstant final : EffectKind {

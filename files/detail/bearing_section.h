@@ -14,27 +14,27 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reader of the tables of bearings and materials in a model file; shared with the reader of
-/// models.
+/// Reads the tables of bearings and materials in a model file, for parse_model().
 namespace raceway::files {
 
-/// A bearing from a table of the file, with its catalogue row.
+/// A bearing that a table of the model file describes, with its catalogue row.
 struct NamedBearing {
   bearing::Bearing bearing;
   std::string name;
   std::optional<CatalogueBearing> row = {};
-  std::string catalogue{};  ///< designation in the file; empty if all numbers are given
+  std::string catalogue{};  ///< designation in the file; empty if the file gives all numbers
 };
 
 [[nodiscard]] std::vector<KeyTable> bearing_tables();
-/// Returns the keys of every bearing.
+/// Returns the keys that every table of a bearing may have.
 [[nodiscard]] std::span<const Key> bearing_keys();
 
-/// Returns a geometry as keys of [bearing], in their units; unknown values are omitted.
+/// Returns the keys of [bearing] for a geometry, with values in the units of the keys. Unknown
+/// values are omitted.
 [[nodiscard]] std::vector<std::pair<std::string, double>> keys_of(
     const bearing::BearingGeometry& geometry);
 
-/// Returns the required keys missing in [bearing], if it names no row of the catalogue.
+/// Returns the required keys that [bearing] lacks; empty if it names a catalogue bearing.
 [[nodiscard]] Names missing_keys_of_bearing(const ModelTables& tables);
 
 class BearingReader {
@@ -42,16 +42,17 @@ class BearingReader {
   /// Reads the tables [material.NAME]. Throws InputError like read_model().
   explicit BearingReader(ModelTables& tables);
 
-  /// Reads a table of a bearing. Omitted keys keep the values of `base`, if it is given. The table
-  /// may contain the keys `further`.
+  /// Reads a table of a bearing. Omitted keys have the values of `base`, if it is not null. The
+  /// table may also contain the keys `further`.
   [[nodiscard]] NamedBearing read(const Section& table, const NamedBearing* base, Keys further);
 
-  /// Returns the keys of the tables read so far, each once. Keys without information are omitted:
-  /// `name`, `catalogue`, and values that equal the default or the value of the named catalogue
-  /// bearing, because new_model_text() writes them.
+  /// Returns the keys of the tables read so far, each once. Omitted are `name`, `catalogue`, and
+  /// keys whose value equals the default or the value of the catalogue bearing, because
+  /// new_model_text() writes them.
   [[nodiscard]] const Names& written() const { return written_; }
 
-  /// Returns the material named by a key of a bearing; steel if none is named.
+  /// Returns the material that a key of a bearing names. Without this key, returns `inherited`, or
+  /// steel if that is null.
   [[nodiscard]] bearing::Material material(const Section& s, const char* key,
                                            const bearing::Material* inherited = nullptr);
 

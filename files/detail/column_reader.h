@@ -13,43 +13,42 @@
 
 namespace raceway::files {
 
-/// Reads the cells of a measurement file as numbers, column by column; shared by the readers of
-/// measurements.
+/// Reads the cells of a measurement file as numbers, column by column.
 class ColumnReader {
  public:
   explicit ColumnReader(const text::CsvTable& table)
       : table_(table), bad(table.source, table.rows()) {}
 
-  /// Returns the numbers of a column [SI]. If `may_be_empty` is set, a cell that is empty or has a
-  /// word such as "OVER" becomes NaN. A note lists the lines with such words. `with_sign`: the
-  /// input may be negative.
+  /// Returns the numbers of a column [SI]. In rows for which `may_be_empty` is true, a cell that is
+  /// empty or has a word such as "OVER" becomes NaN. A note lists the lines with such words.
+  /// `with_sign`: true if the values may be negative.
   [[nodiscard]] std::vector<double> numbers(
       const ColumnSource& source, bool with_sign,
       const std::function<bool(std::size_t row)>& may_be_empty);
 
-  /// Returns true if the column has dates.
+  /// Returns true if the column contains dates or times of day.
   [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
   /// Returns the times since the first row [s], from a column of dates or of elapsed times. `order`
-  /// is the stated order of dates with slashes. Throws InputError if it is not stated and would
-  /// change the times.
+  /// is the order of day and month in dates with slashes, if the user states it. Throws InputError
+  /// if the user does not state it and the order changes the times.
   [[nodiscard]] std::vector<double> times(const ColumnSource& source,
                                           std::optional<text::DateOrder> order);
-  /// Type of the clock of times(), and the time of the first row [s]: seconds since 1970, since
-  /// midnight or since an unknown time.
+  /// Kind of the times read by times(), and the time of the first row [s]: since 1970, since
+  /// midnight, or since an unknown time.
   enum class ClockKind { dates, elapsed };
   struct ClockStart {
     ClockKind kind;
     double begin;
   };
   [[nodiscard]] const std::optional<ClockStart>& clock_start() const { return clock_start_; }
-  /// Returns an index into `names` for each row. `names` receives the texts of the cells in order
-  /// of first appearance.
+  /// Returns an index into `names` for each row. The function writes the different texts of the
+  /// cells to `names`, in order of first appearance.
   [[nodiscard]] std::vector<double> named(const ColumnSource& source,
                                           std::vector<std::string>& names);
 
-  /// Throws InputError if some cells have a decimal comma and others a decimal point.
+  /// Throws InputError if some cells have a decimal comma and other cells have a decimal point.
   void check_decimal_marks() const;
-  /// Returns notes on an unusual format of the file and on the interpretation of the cells.
+  /// Returns notes on an unusual file format and on the interpretation of cells, such as dates.
   [[nodiscard]] std::vector<record::Note> notes_on_form() const;
 
  private:
@@ -87,7 +86,7 @@ class ColumnReader {
   std::vector<record::Note> notes_;  // on dates and missing readings
 
  public:
-  text::BadCells bad;  ///< errors in cells so far
+  text::BadCells bad;  ///< cells with errors so far
 };
 
 }  // namespace raceway::files

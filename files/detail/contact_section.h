@@ -9,9 +9,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reads the data that only the contact law uses in [lubricant], [bearing] and [friction], and the
-/// table [life]; shared with the reader of models. All functions throw InputError like
-/// read_model().
+/// Reads the keys of [lubricant], [bearing] and [friction] that only the contact law uses, and the
+/// table [life], for parse_model(). All functions throw InputError like read_model().
 namespace raceway::files {
 
 /// Returns the keys of the contact law in a table. A model with another law may contain these keys.
@@ -20,15 +19,15 @@ namespace raceway::files {
 /// Returns the key tables of [bearing] and [life].
 [[nodiscard]] std::vector<KeyTable> contact_tables();
 
-/// Reads the data of the contact law. `used`: true if the model uses the law `contact`; its
-/// defaults are then reported. `supply` was read before.
+/// Reads the keys of the contact law. `used`: true if the model uses the law `contact`; the
+/// defaults are then recorded in `tables`. `supply` is the oil supply of the model.
 [[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
                                                           std::optional<friction::Supply> supply);
 
-/// Returns the keys of the contact law that a file contains.
+/// Returns those keys of the contact law that a file contains.
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
-/// Reads the number of the contact law that belongs to the lubricant.
+/// Reads a number in [lubricant] that only the contact law uses.
 [[nodiscard]] double lubricant_number(ModelTables& tables, std::string_view name);
 
 [[nodiscard]] model::LifeData read_life(ModelTables& tables);

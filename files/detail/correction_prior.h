@@ -11,7 +11,7 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> prior_tables();
 
-/// Reads [correction.prior] into a model. The numbers of the model must be read before.
+/// Reads the priors in [correction.prior] into a model, which must already have its parameters.
 void read_priors(const Section& correction, correction::Model& model);
 
 }  // namespace raceway::files

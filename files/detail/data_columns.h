@@ -10,10 +10,11 @@
 #include "model/model_subject.h"
 #include "record/note.h"
 
-/// Header of a measurement file; shared with the reader of records.
+/// Columns of a measurement file, for read_record().
 namespace raceway::files {
 
-/// Columns of a file with times between two speeds. These times are converted to torque.
+/// Columns of a coast-down file that gives the time between two speeds. The reader converts these
+/// times to friction torque.
 inline constexpr record::Channel speed_from{.name = "speed_from_rpm",
                                             .variable = "speed_from",
                                             .words = "speed from",
@@ -33,31 +34,31 @@ inline constexpr record::Channel fall_time{
 inline constexpr record::Channel fall_time_deviation{
     .name = "std_time_s", .unit = "s", .lower = 1e-9, .upper = 1e9};
 
-/// Columns of a file with their channels.
+/// Recognised columns of a measurement file.
 struct DataColumns {
   using Place = ColumnSource;
-  std::vector<Place> places;  ///< in the order of the table of channels
-  /// Measured channels that are kept, and measured channels that are not kept. Both are empty for a
-  /// coast-down.
+  std::vector<Place> places;  ///< columns in the order of file_channels()
+  /// Measured channels that are kept and not kept. Both lists are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
-  std::vector<Place> falls;  ///< times between two speeds; empty if the file has none
-  /// Signal of the torque sensor, if its calibration is known. `places` contains the signal as the
-  /// friction torque.
+  std::vector<Place> falls;  ///< columns with times between two speeds, if any
+  /// Signal of the torque sensor and its standard deviation, if the calibration is known. `places`
+  /// contains the signal as the friction torque.
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< values of channels without a column
   std::vector<std::string> others;              ///< unknown headers
   std::vector<record::Note> notes;              ///< notes on units
 
-  /// Returns null if the file has no column of this channel.
+  /// Returns the column of this channel; null if the file has none.
   [[nodiscard]] const Place* find(const record::Channel& channel) const;
-  /// Returns null if there is no constant for this channel.
+  /// Returns the constant value for this channel; null if there is none.
   [[nodiscard]] const Recognised::Constant* constant(const record::Channel& channel) const;
   [[nodiscard]] bool coast_down() const { return measured.empty(); }
   /// Returns false for a measured channel that is not kept, and for its standard deviation.
   [[nodiscard]] bool keeps(const record::Channel& channel) const;
 };
 
-/// Finds the columns. Throws InputError if a column name looks misspelt or if a column is missing.
+/// Finds the columns of a file. Throws InputError if a column name looks misspelt or if a required
+/// column is missing.
 [[nodiscard]] DataColumns find_columns(const text::CsvTable& table,
                                        const model::ModelSubject& subject,
                                        const model::Expected& expected, const ReadOptions& options);

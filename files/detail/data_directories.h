@@ -2,8 +2,8 @@
 
 namespace raceway::files {
 
-/// Folders of the catalogues, set by the build; part of catalogue_file.h.
-extern const char* const built_data_directory;      ///< folder in the sources
-extern const char* const installed_data_directory;  ///< folder in the installation prefix
+/// Data folders with the catalogues, set at build time: see data_file() in catalogue_file.h.
+extern const char* const built_data_directory;      ///< data folder in the source tree
+extern const char* const installed_data_directory;  ///< data folder in the installation
 
 }  // namespace raceway::files

@@ -8,13 +8,13 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reader of the tables [[effect]] of a model file; shared with the reader of models.
+/// Reads the tables [[effect]] of a model file, for parse_model().
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> effect_tables();
 
-/// Reads the effects. `shaft` is null for a bearing on a rig. `spindle`: true for the effects of a
-/// spindle. Throws InputError like read_model().
+/// Returns the effects of the model. `shaft` is null for a bearing on a rig. `spindle`: true for
+/// the model of a spindle. Throws InputError like read_model().
 [[nodiscard]] std::vector<effects::Effect> read_effects(ModelTables& tables,
                                                         const model::Shaft* shaft,
                                                         bool spindle = false);

@@ -8,13 +8,13 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reader of [export] of a model file; shared with the reader of corrections.
+/// Reads the table [export] of a correction file, for parse_correction().
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> export_tables();
 
-/// Reads [export], or returns the defaults without this table. Throws InputError like
-/// read_correction(), and for a column that no model has.
+/// Returns the settings in [export]; the defaults if the file lacks this table. Throws InputError
+/// like read_correction(), and for a column that no model uses.
 [[nodiscard]] correction::ControlSettings read_export(const ModelTables& tables,
                                                       const std::vector<correction::Model>& models);
 

@@ -6,23 +6,25 @@
 
 #include "record/record.h"
 
-/// Filling of missing inputs; shared by the readers of records over time.
+/// Fills missing values of inputs in time records.
 namespace raceway::files {
 
-/// Filled and missing values of an input.
+/// Result of fill_input().
 struct FilledInput {
-  std::string note{};                ///< empty if no value was missing
-  std::vector<std::size_t> empty{};  ///< rows before the first value of a setting
-  std::vector<std::size_t> far{};    ///< rows in gaps longer than `longest`
-  double longest = unset;            ///< [s]; NaN for a setting
+  std::string note{};                ///< note for the user; empty if no value was missing
+  std::vector<std::size_t> empty{};  ///< rows that still have no value
+  std::vector<std::size_t> far{};    ///< rows of a temperature in gaps longer than `longest`
+  double longest = unset;  ///< limit for the length of a gap [s]; NaN for a control setting
 };
 
-/// Fills the rows without a value of an input, run by run. Such rows exist because sensors have
-/// different sampling rates, and some programs write a value only when it changes. A control
-/// setting is constant until its next value. A temperature is interpolated linearly, and it is
-/// constant at the ends of a run. The rows of a gap are `far` if the gap is longer than 10 times
-/// the usual time between readings and longer than 5 minutes. A temperature without a reading in a
-/// run stays empty in that run, and these rows are `far`.
+/// Fills the missing values of an input, run by run. Values are missing because sensors have
+/// different sampling rates, and because some programs write a value only when it changes. A
+/// control setting, such as a speed, keeps its value until the next one; before its first value in
+/// a run, it stays empty. A temperature is interpolated linearly between readings, and it is
+/// constant before the first and after the last reading of a run. The rows of a gap are in `far` if
+/// the gap is longer than 10 times the median time between readings and longer than 5 minutes. A
+/// temperature without a reading in a run stays empty there, and these rows are in `empty` and
+/// `far`.
 [[nodiscard]] FilledInput fill_input(const record::Channel& channel, record::Record& data);
 
 }  // namespace raceway::files

@@ -11,11 +11,12 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// Reader of [lubricant] and [friction] of a model file; shared with the reader of models. All
-/// functions throw InputError like read_model().
+/// Reads the tables [lubricant] and [friction] of a model file, for parse_model(). All functions
+/// throw InputError like read_model().
 namespace raceway::files {
 
-/// A base law and its values in the order of friction::parameters(law).
+/// Base friction law of a model file, and its parameter values in the order of
+/// friction::parameters(law).
 struct LawOfFile {
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   friction::F1Load f1_load = friction::F1Load::P0;
@@ -30,28 +31,29 @@ struct LubricantOfFile {
   std::optional<friction::Supply> supply;
 };
 
-/// Returns the required keys that are missing in [lubricant] and, for the law palmgren, in
-/// [friction] and [bearing].
+/// Returns the required keys that [lubricant] lacks and, for the law `palmgren`, those that
+/// [friction] and [bearing] lack.
 [[nodiscard]] Names missing_keys_of_friction(const ModelTables& tables);
 
 [[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
 
-/// Reads [friction]. The values of the law are optional for a catalogue bearing. The keys `further`
-/// are allowed.
+/// Reads [friction]. For a catalogue bearing, the parameters of the law are optional. [friction]
+/// may also contain the keys `further`.
 [[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue,
                                       const Keys& further = {});
 
-/// Reads [friction] of a bearing with cylindrical rollers. The table is optional. The default of f0
+/// Reads [friction] for a cylindrical roller bearing. The table is optional. The default of f0
 /// depends on the oil supply.
 [[nodiscard]] LawOfFile read_friction_of_rollers(ModelTables& tables,
                                                  std::optional<friction::Supply> supply);
 
-/// Keys of Palmgren's law in the table of a roller bearing on a shaft, and the reader of this law.
+/// Returns the keys of Palmgren's law in the table of a roller bearing on a shaft;
+/// read_palmgren_of_rollers() reads them.
 [[nodiscard]] Keys palmgren_keys_of_rollers();
 [[nodiscard]] LawOfFile read_palmgren_of_rollers(ModelTables& tables, const Section& s,
                                                  std::optional<friction::Supply> supply);
 
-/// Throws InputError if the bearing in `table` lacks data that the law needs.
+/// Throws InputError if the bearing in `table` lacks a value that the friction law needs.
 void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& table);
 
 }  // namespace raceway::files

@@ -9,8 +9,8 @@
 
 namespace raceway::files {
 
-/// Returns the model described by these tables; `text` is the text of the file. Throws the same
-/// exceptions as read_model(). Shared by the readers of models.
+/// Returns the model that these tables describe; `text` is the text of the model file. Throws the
+/// same exceptions as read_model().
 [[nodiscard]] ModelFile model_of_tables(ModelTables& tables, std::string text);
 
 }  // namespace raceway::files

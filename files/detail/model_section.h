@@ -17,7 +17,7 @@
 #include "text/error.h"
 #include "text/names.h"
 
-/// Tables of a model file and their keys; shared by the readers of model files.
+/// Reads single tables of a model file and checks their keys.
 namespace raceway::files {
 
 using Names = std::vector<std::string>;
@@ -31,7 +31,7 @@ inline std::string range(const Key& key) {
                      with_unit(fmt::format("{}", key.form.upper), key.form.unit));
 }
 
-/// Stores the names of enumerators, to use them as the words of a form.
+/// Returns the names of enumerators, separated by "|", as in Form::words.
 template <typename Enumerators>
 std::string names_as_words(const Enumerators& all) {
   std::string words;
@@ -39,7 +39,7 @@ std::string names_as_words(const Enumerators& all) {
   return words;
 }
 
-/// Keys of a table, in several parts if several readers read the table.
+/// Keys of a table, in several lists if several functions read the table.
 using Keys = std::vector<std::span<const Key>>;
 
 inline std::string_view kind(const toml::node& node) {
@@ -51,24 +51,24 @@ inline std::string_view kind(const toml::node& node) {
   return "a date or time";
 }
 
-/// A required key that the file lacks.
+/// Exception: the file lacks a required key.
 struct MissingKey : text::InputError {
   using text::InputError::InputError;
 };
 
-/// One table of the file, read by its keys. Reading a value checks its type and range. Reading a
-/// key that is not among the keys throws std::logic_error.
+/// One table of a model file and its possible keys. The functions that read a value check its type
+/// and range. They throw std::logic_error for a key that is not in `keys`.
 class Section {
  public:
-  /// If `table` is null, every key is absent. If `keys` is not empty, other keys in the table are
-  /// an error.
+  /// If `table` is null, all keys are missing. If `keys` is not empty, throws InputError for other
+  /// keys in the table.
   Section(std::string source, std::string name, const toml::table* table, Keys keys = {})
       : source_(std::move(source)), name_(std::move(name)), table_(table), keys_(std::move(keys)) {
     if (!keys_.empty()) refuse_others();
   }
-  /// Returns the section with all keys that the table may have.
+  /// Returns this table with all keys that it may have. Throws InputError for other keys in it.
   [[nodiscard]] Section with(Keys keys) const { return {source_, name_, table_, std::move(keys)}; }
-  /// Returns the section with some keys of the table. The table may have other keys.
+  /// Returns this table with some of its keys. It may have other keys.
   [[nodiscard]] Section part(Keys keys) const {
     Section result = *this;
     result.keys_ = std::move(keys);
@@ -86,8 +86,8 @@ class Section {
     if (!node) node = table_;
     return node ? fmt::format("{}:{}", source_, node->source().begin.line) : source_;
   }
-  /// Returns the place of a key, or the place of this table if the key is missing. `node` is a part
-  /// of the value of the key.
+  /// Returns file and line of `node` in the value of a key; without `node`, of the key; for a
+  /// missing key, of this table.
   [[nodiscard]] text::Place at(std::string_view key = {}, const toml::node* node = nullptr) const {
     if (!node && !key.empty()) node = find(key);
     if (!node) node = table_;
@@ -110,7 +110,8 @@ class Section {
   [[noreturn]] void fail_missing(std::string_view name, const std::string& why = "") const {
     fail_missing(key(name), why);
   }
-  /// Returns the missing keys, each as "[bearing] ball_count: must be from 3 to 200".
+  /// Returns the missing ones of these keys, each as a text such as "[bearing] ball_count: must be
+  /// from 3 to 200".
   [[nodiscard]] Names lacking(std::initializer_list<std::string_view> names) const {
     Names list;
     for (const std::string_view one : names)
@@ -125,11 +126,12 @@ class Section {
     throw std::logic_error(fmt::format("[{}] has no key {}", name_, name));
   }
 
-  /// Returns the number; nothing if the optional key is absent.
+  /// Returns the number of a key; nothing if an optional key is missing. Throws InputError if a
+  /// required key is missing, or if the value is not a number in the allowed range.
   [[nodiscard]] std::optional<double> number(std::string_view name) const {
     return number(key(name));
   }
-  /// Reads the number of a key that is in no key table.
+  /// Returns the number of a key that need not be in `keys`.
   [[nodiscard]] std::optional<double> number(const Key& key) const {
     const toml::node* const node = find(key.name);
     if (!node && table_ && key.fallback.required) fail_missing(key);
@@ -143,14 +145,14 @@ class Section {
                                  with_unit(text::shown(*node), key.form.unit), range(key)));
     return value;
   }
-  /// Stores the number in `to`, in SI, if the optional key is given. Returns true if the key is
-  /// given.
+  /// Writes the number times `unit` to `to` and returns true if the table has the key. Otherwise
+  /// `to` does not change.
   bool take(std::string_view name, double& to, double unit = 1.0) const {
     const std::optional<double> given = number(name);
     if (given) to = *given * unit;
     return given.has_value();
   }
-  /// Returns the number, or the default of its key.
+  /// Returns the number of a key; the default if the key is missing.
   [[nodiscard]] double value(std::string_view name) const {
     return number(name).value_or(key(name).fallback.value);
   }
@@ -169,13 +171,13 @@ class Section {
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const {
     return text_of(key(name).name);
   }
-  /// Returns a text; empty for any other value, including a list.
+  /// Returns the text of a key; empty if the key is missing or its value is not a text.
   [[nodiscard]] std::string text_or_empty(std::string_view key) const {
     const toml::node* const node = find(key);
     return node && node->is_string() ? *node->value<std::string>() : std::string();
   }
-  /// Returns the text of the key. Throws InputError if it is not one of the words of the key's
-  /// form.
+  /// Returns the text of a key; nothing if the key is missing. Throws InputError if the text is not
+  /// one of the allowed texts.
   [[nodiscard]] std::optional<std::string> choice(std::string_view name) const {
     return choice(name, key(name).form.choices());
   }
@@ -188,8 +190,8 @@ class Section {
     return value;
   }
 
-  /// Converts a library message such as `ball_diameter = -12 mm: ...` to the words of this file and
-  /// adds the place.
+  /// Throws InputError with the message of a library exception, such as `ball_diameter = -12 mm:
+  /// ...`. The key of the file replaces the name, and file and line are added.
   [[noreturn]] void fail(const std::invalid_argument& error) const {
     std::string message = error.what();
     const std::string owner =

@@ -13,8 +13,7 @@
 
 namespace raceway::files {
 
-/// The tables of a model file, and the defaults that were used to read them; shared by the readers
-/// of models.
+/// All tables of a model file, and the defaults that were used for missing keys.
 class ModelTables {
  public:
   ModelTables(std::string_view text, const std::string& source, std::vector<NamedFile> held = {})
@@ -25,7 +24,7 @@ class ModelTables {
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const std::vector<UsedDefault>& defaults() const { return defaults_; }
-  /// Files that the model names.
+  /// Returns the reader of the files that the model names.
   [[nodiscard]] NamedFiles& files() { return files_; }
   [[nodiscard]] std::string place(const toml::key& key) const {
     return fmt::format("{}:{}", source_, key.source().begin.line);
@@ -36,7 +35,7 @@ class ModelTables {
             .key = std::string(key.str())};
   }
 
-  /// Returns a table with all keys that it may have: see Section.
+  /// Returns the table `name` with all keys that it may have: see Section.
   [[nodiscard]] Section section(std::string_view name, Keys keys = {}) const {
     return {source_, std::string(name), root_[name].as_table(), std::move(keys)};
   }
@@ -49,7 +48,7 @@ class ModelTables {
           {.file = source_, .key = std::string(name)});
     return result;
   }
-  /// Returns a table with some of its keys: see Section::part().
+  /// Returns the table `name` with some of its keys: see Section::part().
   [[nodiscard]] Section part(std::string_view name, Keys keys) const {
     return section(name).part(std::move(keys));
   }
@@ -61,11 +60,11 @@ class ModelTables {
     defaults_.push_back(
         {std::string(table), std::string(key), std::move(value), origin, std::move(why)});
   }
-  /// Records a default that its key gives in words.
+  /// Records the use of a default that the key describes in words.
   void note_default(const Section& s, std::string_view key, const std::string& value) {
     note_default(s.name(), key, value, fmt::format("default: {}", s.key(key).fallback.words));
   }
-  /// Returns the value in the file. If there is none, records and returns the default.
+  /// Returns the number of a key. If the key is missing, returns the default and records its use.
   double number(const Section& s, std::string_view key, double fallback) {
     if (const auto value = s.number(key)) return *value;
     note_default(s.name(), key, fmt::format("{:.10g}", fallback));

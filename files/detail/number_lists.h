@@ -7,11 +7,11 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_section.h"
 
-/// Readers of lists of numbers in a table of a model file. All functions throw InputError with the
-/// place.
+/// Reads lists of numbers in a table of a model file. All functions throw InputError with file and
+/// line.
 namespace raceway::files {
 
-/// Keys of a covariance of fitted parameters.
+/// Keys of a table with the covariance of fitted parameters.
 inline constexpr Key covariance_keys[]{
     {"parameters", a_list, is_required, "names of the fitted parameters, as in [calibration] free"},
     {"units", a_list, is_required, "unit of each parameter, as calibrate prints it"},
@@ -31,8 +31,8 @@ inline constexpr Key covariance_keys[]{
 [[nodiscard]] std::vector<double> numbers(const Section& s, std::string_view key,
                                           const toml::node& node, std::size_t count);
 
-/// Returns the covariance given by `std` and the lower triangle `correlation`, including its
-/// diagonal of ones.
+/// Returns the covariance matrix of `count` parameters from their standard errors `std` and the
+/// lower triangle `correlation`, whose diagonal is 1.
 [[nodiscard]] Eigen::MatrixXd covariance_of(const Section& s, std::size_t count);
 
 }  // namespace raceway::files

@@ -8,19 +8,19 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Readers of [rig] and [solver] of a model file; shared with the reader of models. All functions
-/// throw InputError like read_model(). The keys `further` are allowed.
+/// Reads the tables [rig] and [solver] of a model file, for parse_model(). All functions throw
+/// InputError like read_model(). The tables may also contain the keys `further`.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> rig_tables();
 
 [[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
 
-/// Reads `tilt` of [solver], which is the only key of [solver] for a bearing with cylindrical
-/// rollers.
+/// Reads `tilt` in [solver]. It is the only key of [solver] for a cylindrical roller bearing.
 [[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
 
-/// Contents of [solver]. `balanced_balls`: no race controls the balls; only for the contact law.
+/// Contents of [solver]. If `balanced_balls` is true, no race control is assumed; only for the
+/// contact law.
 struct SolverOfFile {
   bearing::EquilibriumOptions options;
   bool balanced_balls = false;

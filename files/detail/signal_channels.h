@@ -2,9 +2,8 @@
 
 #include "record/channel.h"
 
-/// Columns of a torque sensor; shared by the reader of measurements and the reader of calibrations.
-/// A record does not have these columns, because the reader converts the signal to a friction
-/// torque.
+/// Columns of a torque sensor in files of measurements and calibrations. A record in memory does
+/// not have these columns, because read_record() converts the signal to a friction torque.
 namespace raceway::files {
 
 inline constexpr record::Channel torque_signal{.name = "torque_signal_V",

@@ -10,16 +10,16 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Parts of the reader of spindles; see files/detail/spindle_section.h.
+/// Reads single tables of the model file of a spindle, for read_spindle() in spindle_section.h.
 namespace raceway::files {
 
-inline constexpr double longest_mm = 1e5;  ///< limit for a spindle and its parts
+inline constexpr double longest_mm = 1e5;  ///< largest length in a spindle model
 inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
                       on_the_shaft = between(0, longest_mm, "mm"),
                       a_length = between(0.001, longest_mm, "mm");
 
-/// Returns the tables of a list such as [[shaft.segment]] or segment = [{...}]; empty if the key is
-/// missing.
+/// Returns the tables of a list that is written as [[shaft.segment]] or segment = [{...}]; empty if
+/// the key is missing.
 [[nodiscard]] std::vector<Section> tables_in(const Section& s, std::string_view key,
                                              const Keys& keys = {});
 /// Returns the tables [[sensor]].
@@ -28,17 +28,18 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 /// Returns the tables [[heat]].
 [[nodiscard]] std::vector<Section> heat_sections(const ModelTables& tables, const Keys& keys = {});
 
-/// Returns true for a name that a column can have before its unit: letters, digits and _.
+/// Returns true if a name has only letters, digits and _, as the name of a column before its unit.
 [[nodiscard]] bool names_a_column(std::string_view name);
 
-/// Returns the key tables of [shaft], [housing], [seat] and [gap]; of [network]; and of [ambient],
-/// [coolant], [motor] ... [sensor].
+/// Returns the key tables of [shaft], [housing], [seat] and [gap]. network_tables() returns those
+/// for [network], and surroundings_tables() returns those for [ambient], [coolant], [motor] ...
+/// [sensor].
 [[nodiscard]] std::vector<KeyTable> body_tables();
 [[nodiscard]] std::vector<KeyTable> network_tables();
 [[nodiscard]] std::vector<KeyTable> surroundings_tables();
 
-/// Returns the thermal expansion of [shaft] or [housing] [1/K]. The reader of [arrangement] uses
-/// this value too.
+/// Returns the coefficient of thermal expansion in [shaft] or [housing] [1/K]; `fallback` if it is
+/// missing.
 [[nodiscard]] double expansion_of(const ModelTables& tables, std::string_view table,
                                   double fallback);
 
@@ -54,25 +55,26 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 [[nodiscard]] std::vector<Section> circuit_sections(const ModelTables& tables);
 [[nodiscard]] std::vector<model::Circuit> read_circuits(ModelTables& tables,
                                                         const model::Coolant& first);
-/// Reads [motor] or [drive].
+/// Returns the heat source in [motor] or [drive]; nothing if the table is missing.
 [[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
                                                                 std::string_view table);
-/// Reads [[heat]]. `bearings`: names of all bearings on the shaft, in the order of
-/// model::rings_of().
+/// Returns the heat sources in [[heat]]. `bearings`: names of all bearings on the shaft, in the
+/// order of model::rings_of().
 [[nodiscard]] std::vector<model::HeatSource> read_heat_sources(ModelTables& tables,
                                                                const Names& bearings);
-/// Reads the belt force of [drive]; returns nothing if [drive] gives no force.
+/// Returns the belt force in [drive]; nothing if [drive] has no force.
 [[nodiscard]] std::optional<model::Belt> read_belt(const ModelTables& tables);
 [[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables);
 [[nodiscard]] model::Network read_network(const ModelTables& tables, const model::Ambient& ambient);
 
-/// Returns every node of a network as a place for a thermometer, including the surroundings. Throws
-/// InputError if the file has [[sensor]].
+/// Returns one place for a thermometer for each node of a network, including the surroundings.
+/// Throws InputError if the file has [[sensor]].
 [[nodiscard]] std::vector<model::ThermometerPlace> sensors_of_network(
     const ModelTables& tables, const model::Network& network);
 
-/// Checks relations between tables: bearings on the shaft and in the housing, sensors inside their
-/// parts, and so on. Adds a note on each unusual but possible value to `notes`.
+/// Checks values that depend on several tables, such as the positions of bearings on the shaft and
+/// of sensors in their bodies. Throws InputError for impossible values. Adds a note to `notes` for
+/// each possible but unusual value.
 void check_spindle(const ModelTables& tables, const model::Spindle& spindle,
                    const model::Shaft& shaft, Names& notes);
 

@@ -9,25 +9,27 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// Reader of the tables that only the model file of a spindle has; shared with the reader of
-/// models. All functions throw InputError like read_model().
+/// Reads the tables that only the model file of a spindle has, for parse_model(). All functions
+/// throw InputError like read_model().
 namespace raceway::files {
 
-/// Tables that only a spindle has.
+/// Returns the names of the tables that only the model file of a spindle has.
 [[nodiscard]] const Names& tables_of_spindle();
 
-/// Returns true for the file of a spindle, which has either [shaft] and [housing], or [network].
-/// Throws InputError for a file with only one of [shaft] and [housing], for [network] together with
-/// the tables that it replaces, and for a file that has only other tables of a spindle.
+/// Returns true for the model file of a spindle, which has either [shaft] and [housing], or
+/// [network]. Throws InputError for a file with only one of [shaft] and [housing], for [network]
+/// together with tables that it replaces, and for a file with other tables of a spindle but none of
+/// these three.
 [[nodiscard]] bool is_spindle(const ModelTables& tables);
 
-/// Returns the keys of a spindle in tables that other models share; empty for other files.
+/// Returns the additional keys of a spindle in a table that other models also have; empty if
+/// `spindle` is false.
 [[nodiscard]] Keys spindle_keys(std::string_view table, bool spindle);
 
 [[nodiscard]] std::vector<KeyTable> spindle_tables();
 
-/// Reads a spindle, except bearings, lubricant and arrangement. Adds a note on each unusual but
-/// possible value to `notes`.
+/// Returns the spindle, without its bearings, lubricant and arrangement. Adds a note to `notes` for
+/// each possible but unusual value.
 [[nodiscard]] model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
                                           const model::Shaft* shaft, Names& notes);
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-/// Names shared by the writer of a table and its reader.
+/// Names in the file of a Stribeck table, for its writer and its reader.
 namespace raceway::files {
 
 inline constexpr std::array<std::string_view, 5> leading_columns{

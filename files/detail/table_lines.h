@@ -7,10 +7,11 @@
 // Last: see text/detail/toml_text.h.
 #include "text/detail/toml_text.h"
 
-/// Lines of a table in the text of a model file, for editing.
+/// Finds the lines of a table in the text of a model file.
 namespace raceway::files {
 
-/// Returns the number of the last line of a table, including its contents.
+/// Returns the line number at which a value ends. For a table, this is the last line of its
+/// contents.
 inline toml::source_index last_line(const toml::node& node) {
   toml::source_index last = node.source().end.line;
   if (const toml::table* const table = node.as_table())
@@ -20,8 +21,8 @@ inline toml::source_index last_line(const toml::node& node) {
   return last;
 }
 
-/// Returns the start of the comment lines directly above the line that starts at `at`; `at` if
-/// there are no such lines.
+/// Returns the byte position at which the comment lines directly above the line at position `at`
+/// begin; `at` if there are no such lines.
 inline std::size_t with_comment_above(const std::string& text, std::size_t at) {
   while (at > 1) {
     const std::size_t before = text.rfind('\n', at - 2) + 1;

@@ -11,9 +11,9 @@ namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> transducer_tables();
 
-/// Reads [transducers]; the result is empty without this table. Throws InputError for an invalid
-/// combination, for a combination that follows from earlier combinations, and for a transducer
-/// without a factor.
+/// Returns the lines of the table [transducers]; empty without this table. Throws InputError for an
+/// invalid combination, for a combination that depends linearly on earlier combinations, and for a
+/// transducer whose factors are all 0.
 [[nodiscard]] std::vector<Combination> read_transducers(const ModelTables& tables);
 
 }  // namespace raceway::files

@@ -7,21 +7,22 @@
 #include "files/column_map.h"
 #include "record/record.h"
 
-/// Combinations of transducers that give position and angle of a tool.
+/// Calculates displacements and angles of a tool from the readings of transducers.
 namespace raceway::files {
 
-/// Returns the combinations of a map for the `wanted` displacements; all of them if `wanted` is
-/// empty.
+/// Returns the combinations in `map` for the displacements in `wanted`; all combinations if
+/// `wanted` is empty.
 [[nodiscard]] std::vector<const Combination*> combinations_for(
     const ColumnMap& map, const std::vector<const record::Channel*>& wanted);
 
-/// Replaces the readings of transducers by displacements, and adds a note on it. A displacement is
-/// missing if a reading of one of its transducers is missing. A record without transducers is
-/// unchanged.
+/// Replaces the readings of transducers in a record by displacements, and adds a note about it. A
+/// displacement is NaN in rows in which one of its transducers has no reading. A record without
+/// transducers does not change.
 void combine_transducers(record::Record& record, const ColumnMap& map,
                          const std::vector<const record::Channel*>& wanted);
 
-/// Returns the table [transducers] of a model file; empty without combinations.
+/// Returns the text of the table [transducers] for a model file; empty if `map` has no
+/// combinations.
 [[nodiscard]] std::string transducers_text(const ColumnMap& map);
 
 }  // namespace raceway::files
