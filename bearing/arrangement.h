@@ -79,8 +79,9 @@ struct ArrangementDesign {
 ///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring, 1/k = 1/rate + c
 ///
 /// At δ = 0 the balls of a bearing without offset just touch both races, at the nominal contact
-/// angle. e is the elongation of the shaft minus the elongation of the housing between the sets. In
-/// tandem the spring replaces the rear set.
+/// angle. e is the elongation of the shaft minus the elongation of the housing between the sets.
+/// F_r is the axial force of the rear set, and the index 0 means: as mounted. In tandem the spring
+/// replaces the rear set.
 class Arrangement {
  public:
   /// Throws std::invalid_argument with name, value and allowed range for a missing or impossible

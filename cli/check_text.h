@@ -10,8 +10,8 @@
 
 namespace raceway::cli {
 
-/// Prints rows, noise and columns of a record, the parameters that can be fitted and the effects
-/// that can be tested.
+/// Prints the number of rows, the noise and the columns of a record, the parameters that can be
+/// fitted and the effects that can be tested.
 void print_check(const loop::Check& check, const record::Record& data);
 /// Prints for which time the settings of a row apply: from the previous row to this row, or from
 /// this row to the next row.

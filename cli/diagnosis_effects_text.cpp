@@ -149,7 +149,7 @@ void print_intervals(const verdict::Diagnosis& d) {
   for (const verdict::RankedEffect& e : d.effects)
     for (const fit::Parameter& p : e.parameters)
       if (e.in_verdict && !std::isnan(p.interval.lower))
-        fmt::print("{}.{}: {}{}{} (95 % interval; in practice {})\n", e.id, p.name,
+        fmt::print("{}.{}: {}{}{} (95 % interval; usual values {})\n", e.id, p.name,
                    range_text(p.interval.lower, p.interval.upper), p.unit == "1" ? "" : " ",
                    p.unit == "1" ? "" : p.unit, range_text(p.plausible_lower, p.plausible_upper));
   if (d.sets.empty()) return;

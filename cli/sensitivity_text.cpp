@@ -104,7 +104,7 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
   fmt::print("{}",
              table.text(std::max<std::size_t>(terminal_width(), narrowest + (p.global ? 30 : 0))));
   if (!left_out.empty())
-    print_words(fmt::format("below 0.1 % each: {}",
+    print_words(fmt::format("share below 0.1 % each: {}",
                             left_out.size() > most_named
                                 ? fmt::format("{} numbers (--all lists them)", left_out.size())
                                 : text::listed(left_out)));

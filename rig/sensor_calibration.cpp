@@ -349,7 +349,7 @@ class Calibrator {
     }
     if (found > shown)
       result_.warnings.push_back(record::note::check_data(
-          fmt::format("{} more readings are as far off the curve", found - shown)));
+          fmt::format("number of further readings as far off the curve: {}", found - shown)));
   }
 
   /// Torque and signal alike to the last digit are usually rows copied, at times a coarse signal.

@@ -94,9 +94,9 @@ std::string note_outside(const TorqueSensor& s, std::span<const double> signals,
   if (most > s.highest_signal)
     reach += fmt::format("{}up to {:.5g}", reach.empty() ? "" : " and ", most);
   return fmt::format(
-      "{} of {} signals are outside the calibrated range of {:.5g} to {:.5g} V: {} V "
-      "(line{} {}{}); their torques are extrapolated along the tangent",
-      count, all, s.lowest_signal, s.highest_signal, reach, count == 1 ? "" : "s", places,
+      "signals outside the calibrated range of {:.5g} to {:.5g} V: {} of {}, {} V (line{} {}{}); "
+      "the torques there are extrapolated along the tangent at the end of the range",
+      s.lowest_signal, s.highest_signal, count, all, reach, count == 1 ? "" : "s", places,
       count > most_named ? ", ..." : "");
 }
 

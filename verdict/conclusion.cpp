@@ -234,7 +234,8 @@ std::string Investigation::bent_text() const {
     exponents.push_back(fmt::format("{} {:+.2f}", e.name, e.value));
   return fmt::format(
       "Something is missing that acts like {}, but with exponents that differ from the catalogue "
-      "({}; with the exponents of the catalogue, the fit is rejected, {}). Either this effect has "
+      "by "
+      "{} (with the exponents of the catalogue, the fit is rejected, {}). Either this effect has "
       "another law here, or a similar effect is missing that is not in the catalogue.",
       joined_sets(set), fmt::join(exponents, ", "), p_text(pure));
 }

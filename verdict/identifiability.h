@@ -11,7 +11,7 @@ namespace raceway::verdict {
 /// Finds parameters that the data can separate neither at the start values of a fit nor at other
 /// values. The function fixes a parameter whose influence equals a combination of earlier
 /// parameters, marks all of them as not identifiable and adds a message. `lacks` returns
-/// Subject::lacks() for a parameter.
+/// the missing data that a parameter needs, as Subject::lacks().
 void hold_dependent(const fit::Response& response, const fit::Whitening& whitening,
                     const std::function<std::string(const std::string& parameter)>& lacks,
                     Calibration& result);

@@ -100,8 +100,8 @@ std::string measure_text(const Diagnosis& d) {
   std::string text;
   if (!texts.empty())
     text = fmt::format(
-        " Measure: {}. With these points, the predicted difference of the gains is {:.0f}; with "
-        "repeated old points, it is {:.0f}.",
+        " Measure: {}. With these points, the gains of the explanations should differ by {:.0f}; "
+        "if you only repeat the measured points, by {:.0f}.",
         fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
   if (!d.records_needed.empty())
     text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));

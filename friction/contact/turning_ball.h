@@ -164,8 +164,8 @@ class TurningBall {
 
  private:
   [[nodiscard]] double pitch_radius() const { return inner_radius_ + half_ * ci_; }
-  /// Approximate slip v_x0 at which Σ τ_x is zero. This slip is not 0, because rolling drags the
-  /// edges of the ellipse forward.
+  /// Approximate slip v_x0 at which Σ τ_x is zero. This slip is not 0, because the
+  /// curved contact slips forward at the ends of the ellipse.
   static double free_rolling(const SlippingContact& contact, const SlipMotion& motion) {
     const double a = contact.ellipse().semi_major_axis;
     return -0.2 * motion.rolling * a * a / (2.0 * contact.pressed_radius());

@@ -190,8 +190,8 @@ TEST(TorqueSignal, BeyondTheCalibrationIsToldWithItsLines) {
   const record::Record r = record_by(
       model_with(table), "speed_rpm,torque_signal_V\n1000,0.6\n2000,5.5\n3000,-0.2\n4000,1.0\n");
   EXPECT_THAT(texts(r.notes),
-              Contains(HasSubstr("2 of 4 signals are outside the calibrated range of 0.1 to 5.102 "
-                                 "V: down to -0.2 and up to 5.5 V (lines 3, 4)")));
+              Contains(HasSubstr("signals outside the calibrated range of 0.1 to 5.102 V: 2 of 4, "
+                                 "down to -0.2 and up to 5.5 V (lines 3, 4)")));
 }
 
 TEST(TorqueSignal, TakesThePlaceOfATorqueBesideIt) {

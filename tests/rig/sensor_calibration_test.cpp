@@ -230,7 +230,7 @@ TEST(SensorCalibration, ManySamplesOfACoarseSignalAreCountedAndNotListed) {
   for (std::size_t i = 0; i < 20; ++i) list[2000 * 5 + i].signal += 1.0;
   const SensorCalibration c = calibrate_sensor(list, 1);
   EXPECT_THAT(texts(c.notes), Contains(HasSubstr(", ...): they are treated as repeated readings")));
-  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("15 more readings are as far off the curve")));
+  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("further readings as far off the curve: 15")));
 }
 
 TEST(SensorCalibration, WithoutScatterTellsOfNone) {

@@ -125,7 +125,7 @@ TEST(SensedTorques, NameTheSignalsThatNoWeightHasMade) {
   EXPECT_THAT(sensed.torque, testing::Pointwise(testing::DoubleNear(1e-12),
                                                 std::vector<double>{-0.1, 1.0, 10.2, 10.4}));
   EXPECT_THAT(texts(sensed.notes),
-              Contains(HasSubstr("3 of 4 signals are outside the calibrated range of 0.1 to 5.1 V: "
+              Contains(HasSubstr("signals outside the calibrated range of 0.1 to 5.1 V: 3 of 4, "
                                  "down to 0.05 and up to 5.3 V (lines 2, 4, 5)")));
   const SensedTorques inside = sensed_torques(line, std::vector<double>{0.1, 5.1}, {}, lines);
   EXPECT_THAT(texts(inside.notes), Not(Contains(HasSubstr("outside"))));
