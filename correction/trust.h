@@ -49,7 +49,7 @@ struct Trust {
 /// displacement in test.csv is rated good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
-/// Returns the level of trust for a prediction on a record. The level is `do_not_use` if the mean
+/// Returns the level of trust in a prediction for a record. The level is `do_not_use` if the mean
 /// square of the error exceeds half of the mean square of the displacement (`uncorrected` from
 /// uncorrected_rms() [m]). Otherwise trust_of() gives the level, but `good` becomes `within_range`
 /// if a row is outside the range of the fit. `errors` are the errors after a constant is

@@ -39,8 +39,8 @@ struct NamedChannel {
 /// a count).
 [[nodiscard]] const text::Unit* unit_of(const record::Channel& channel);
 
-/// Returns the one of `channels` with this name; nothing if there is none. The unit in the name may
-/// be another unit of the same dimension: "friction_torque_Nm", "speed [1/min]".
+/// Returns the quantity with this name from `channels`; nothing if there is none. The unit in the
+/// name may be another unit of the same dimension: "friction_torque_Nm", "speed [1/min]".
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
@@ -100,7 +100,7 @@ struct ReadOptions {
   bool drop_nan = false;    ///< true: rows with a missing number are omitted, with a note
   bool over_time = false;   ///< true: the file is a time record
   bool of_spindle = false;  ///< true: the file is a time record of a spindle
-  /// True: columns of `columns` may be in another file of the same record.
+  /// True: columns that a rule names may be in another file of the same record.
   bool of_several = false;
 };
 

@@ -14,7 +14,7 @@ namespace raceway::files {
 /// column for a load or for the temperature, the torque does not depend on this quantity. The
 /// uncertainty of the torque may be in friction_torque_band_Nmm (half width of a 95 % band) or
 /// std_Nmm (standard deviation), and the load-dependent torque in load_Nmm. Other columns are
-/// ignored. Throws InputError if the speed, the torque or a point of the grid is missing, if a
+/// allowed. Throws InputError if the speed, the torque or a point of the grid is missing, if a
 /// point occurs twice, for both columns of uncertainty, for a slab (see table_file.h), and for
 /// cells that are not numbers.
 [[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,

@@ -8,8 +8,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reads the tables [rig] and [solver] of a model file, for parse_model(). All functions throw
-/// InputError like read_model(). The tables may also contain the keys `further`.
+/// Reads the tables [rig] and [solver] of a model file. All functions throw InputError like
+/// read_model(). The tables may also contain the keys `further`.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> rig_tables();
