@@ -30,8 +30,8 @@ struct EffectCard {
   bool by_column = false;
   bool by_window = false;   ///< true: the effect may be limited to a range of an axis position
   bool of_reading = false;  ///< true: valid only for the record of the fit, not for a control
-  /// True for a fault that faults() finds in the record. It has no parameter, and a model never
-  /// contains it.
+  /// True for a fault that faults() finds in the record. Such an effect has no parameter, and a
+  /// model never contains it.
   bool evidence = false;
   bool needs_input = false;  ///< true: a file must name the columns of the effect
 };

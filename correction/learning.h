@@ -96,7 +96,7 @@ struct Learning {
 /// y is the reading, and f is the prediction of the model with its contributions c_j. "Misfit" is
 /// LearningOptions::misfit. The zero z of a run is unknown until its first reading. Afterwards z is
 /// a random walk of one misfit per root of an hour, plus a drift of half a misfit per hour
-/// (standard deviation) with a correlation time of 12 h. The d_i describe the residual. They are
+/// (standard deviation) with a correlation time of 12 h. The d_i describe the residual as
 /// independent processes: one with a correlation time of half an hour, and one for each clearly
 /// longer time constant of the model (24 h at most). The standard deviation of the sum of the d_i
 /// is a fifth of a misfit. The a_j are relative changes of the contributions c_j. The b_l are gains
@@ -108,9 +108,9 @@ struct Learning {
 /// The mean includes the expected ratio of 1 with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
-/// deviations. The next reading is then used regardless of the interval. If the next reading is
-/// also outside this limit, it resets the zero in two cases: it agrees with the rejected reading,
-/// or the two readings before it were rejected.
+/// deviations. The next reading is then used regardless of the interval. If the reading after a
+/// rejected one is also outside this limit, it resets the zero in two cases: it agrees with the
+/// rejected reading, or the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. The standard deviations and times are our choice, based on the record
 ///           of docs/correction.md with models from three initial parts of this record.

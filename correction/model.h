@@ -143,8 +143,8 @@ struct SeenRange {
   double still = unset;  ///< longest time without a change of a temperature [s]; NaN: unknown
 };
 
-/// Distribution of all inputs in the data of the fit. It identifies combinations of inputs that
-/// never occurred, even if each input is within its own range.
+/// Distribution of all inputs in the data of the fit. The distribution shows which combinations of
+/// inputs never occurred, even if each input is within its own range.
 struct SeenTogether {
   std::vector<const Channel*> columns{};  ///< input columns that vary in the data
   /// Mean and standard deviation of each column [SI]; of the absolute values for speeds, feeds and

@@ -15,7 +15,7 @@ struct BoundaryDimensions {
 /// for example, "14" for 70 mm. The largest bore is 200 mm (series 03: 120 mm).
 ///
 /// Source:   ISO 15, from secondary sources: series 10 and 19 to 130 mm by NTN-SNR (ULTAGE, 7000
-///           and 7900) and [GMN4000], series 02 to 100 mm by GB/T 276. The other sizes were not
+///           and 7900) and [GMN4000], series 02 to 100 mm by GB/T 276. All other sizes were not
 ///           compared with a publication.
 [[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
     std::string_view dimension_series, std::string_view bore_code);

@@ -18,7 +18,7 @@ struct Doubt {
   /// A quantity whose column may be in a different unit.
   struct Guess {
     const record::Channel* channel;
-    std::string_view unit;  ///< as written in files: "kgf"
+    std::string_view unit;  ///< other unit as written in files: "kgf"
   };
   std::string text;
   std::vector<Guess> units{};  ///< empty if the question is not about a unit

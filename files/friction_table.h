@@ -30,9 +30,9 @@ struct CurveInput {
   double unit = 1.0;  ///< SI value of one unit of the column
 };
 
-/// Parses a table of a gain or a time constant [SI] as a function of a power or a load. Its two
-/// columns are the input, with rising values, and the quantity `value`. Both column names end in a
-/// unit.
+/// Parses a table of a gain or a time constant [SI] as a function of a power or a load. The table
+/// has two columns: the input, with rising values, and the quantity `value`. Both column names end
+/// in a unit.
 [[nodiscard]] correction::Characteristic::Table parse_characteristic(std::string text,
                                                                      const std::string& source,
                                                                      const std::string& value,

@@ -16,7 +16,7 @@ namespace raceway::files {
 
 [[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
 
-/// Reads `tilt` in [solver]. It is the only key of [solver] for a cylindrical roller bearing.
+/// Reads `tilt` in [solver], the only key of [solver] for a cylindrical roller bearing.
 [[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
 
 /// Contents of [solver]. If `balanced_balls` is true, no race control is assumed; only for the
