@@ -17,7 +17,7 @@ namespace raceway::correction {
 struct EffectCard {
   std::string_view id;
   std::string_view title;
-  std::string_view form;  ///< formula with the input u, the state x of a lag and the displacement y
+  std::string_view form;      ///< formula with input u, state x of a lag and displacement y
   std::string_view needs;     ///< properties of a record in which the effect can be identified
   std::string_view confused;  ///< effects with a similar influence on the displacement
   /// Parameters in the units of the model file. The unit "um/u" means um per unit of the input.

@@ -39,7 +39,7 @@ struct AheadError {
 /// Strength λ and speed weight s that identify_lag_bank() tried: see lag_bank.h.
 struct StrengthTried {
   double strength = unset;      ///< λ [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
-  double speed_weight = unset;  ///< [1]
+  double speed_weight = unset;  ///< weight s of speeds in the penalty [1]
   double rms_ahead = unset;  ///< mean over all initial parts of the rms error on later readings [m]
   double share = unset;      ///< weight of this λ and s in the mean of the gains [1]
 };

@@ -48,7 +48,7 @@ struct LearntGain {
   /// Relative change of the gain of the model [1]. For an additional lag: displacement that the lag
   /// adds for half the range of its input [m].
   double value = 0.0;
-  double std = unset;  ///< standard deviation, in the unit of `value`
+  double std = unset;  ///< standard deviation of `value`, in the same unit
   bool is_lag = false, at_bound = false;
 };
 
@@ -76,7 +76,7 @@ struct Learning {
   std::vector<LearntGain> gains{};
   std::vector<IdentificationDue> due{};
   ErrorBetween error{};
-  double tolerance = unset;  ///< [m]
+  double tolerance = unset;  ///< tolerance of the model [m]
   /// Number of rows in which the standard deviation of the prediction exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
   /// Time from the last row until the standard deviation of the prediction exceeds the tolerance,

@@ -21,7 +21,7 @@ class OwnEffect final : public EffectKind {
   struct Number {
     std::string name{}, unit{};
     double value = 0.0;
-    double lower = unset, upper = unset;  ///< NaN: unbounded
+    double lower = unset, upper = unset;  ///< bounds for a fit; NaN: unbounded
     bool in_braces = false;  ///< true: the model file gives value, unit and bounds in braces
   };
   struct Given {

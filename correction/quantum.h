@@ -18,7 +18,7 @@ inline constexpr double a_gap = 20.0;
 
 /// Longest time without a change of a column, and the time at which it begins.
 struct Still {
-  double longest = 0.0, from = 0.0;  ///< [s]
+  double longest = 0.0, from = 0.0;  ///< duration and start [s]
 };
 
 /// Returns the longest time for which the values of a column are constant. A new run or a gap ends

@@ -67,7 +67,7 @@ struct Beyond {
     /// Number of rows outside the range, and the first of these rows.
     std::size_t rows = 0, first = 0;
     double value = unset;     ///< value in the row `first`
-    double farthest = unset;  ///< value farthest outside the range
+    double farthest = unset;  ///< value of the row farthest outside the range
     [[nodiscard]] bool together() const { return name.empty(); }
   };
   std::vector<Part> parts{};   ///< exceeded ranges, the joint range last

@@ -16,7 +16,7 @@ namespace raceway::correction {
 
 /// Changes that effects make to the gain and the time constant τ of a channel's lags.
 struct Answer {
-  double sensor_time_constant = 0.0;               ///< of the sensor [s]: see effects/sensor_lag.h
+  double sensor_time_constant = 0.0;  ///< time constant of the sensor [s]: see effects/sensor_lag.h
   double off_gain = 1.0, off_time_constant = 1.0;  ///< factors on gain and τ while coolant_on is 0
   /// Parameters s and g of effects/speed_dependent_time_constant.h.
   double speed_factor = 0.0, gain_power = 1.0;

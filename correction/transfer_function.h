@@ -22,7 +22,7 @@ namespace raceway::correction {
 ///           transfer functions.
 struct TransferFunction {
   std::vector<double> numerator, denominator;
-  double sampling = unset;  ///< [s]
+  double sampling = unset;  ///< sampling time [s]
 };
 
 /// Returns the function without the roots at exactly 1 that numerator and denominator share. In
@@ -62,7 +62,7 @@ struct ParallelForm {
   struct Lag {
     double rise, gain;  ///< rise: 1 - pole [1]; gain: in the unit of a(0)
   };
-  double through = 0.0;  ///< in the unit of a(0)
+  double through = 0.0;  ///< instant response, in the unit of a(0)
   std::vector<Lag> lags{};
 };
 
@@ -79,7 +79,7 @@ struct ParallelForm {
 
 /// Results of check() for published coefficients.
 struct TransferFunctionCheck {
-  std::vector<std::complex<double>> poles{};  ///< poles with common roots, the largest first
+  std::vector<std::complex<double>> poles{};  ///< poles including common roots, the largest first
   /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
   double dc_gain = unset;  ///< final displacement per unit step, in the unit of a(0)

@@ -29,7 +29,7 @@ struct Designation {
   std::string series{};          ///< series as written: "70", "719", "VEX"; "60", "619" of GMN
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
   std::string bore_code{};       ///< bore code: "14"
-  double contact_angle = unset;  ///< [rad]; NaN if not stated
+  double contact_angle = unset;  ///< contact angle [rad]; NaN if not stated
   std::string angle_code{};      ///< code of the contact angle: "AC"
   bool ceramic_balls = false;
   std::string ball_code{};    ///< code of ceramic balls: "HC"
