@@ -152,7 +152,8 @@ Run setup_spindle(CLI::App& command) {
                   "speeds [rpm], such as 6000 or a range from:to:step; needs --steady")
       ->type_name("VALUES");
   command.add_flag("--steady", flags->steady, "calculate the steady state at each --speed");
-  declare_coolant(command, flags->coolant_on, "coolant, on or off; off: in all rows");
+  declare_coolant(command, flags->coolant_on,
+                  "coolant on or off; off switches the coolant off in all rows");
   add_number(command, "--ambient", flags->ambient, temperature_range,
              "air temperature in all rows [C]; default: column ambient_temperature_C, else "
              "[ambient] of the model");
@@ -185,8 +186,8 @@ Run setup_spindle(CLI::App& command) {
       ->type_name("FILE");
   declare(command, flags->reading);
   command.add_flag("--assumptions", flags->assumptions,
-                   "also write to --json the five assumed numbers with the largest influence on "
-                   "the nose displacement");
+                   "with --json: also write at most five assumed numbers with the largest "
+                   "influence on the nose displacement");
   flags->declare_results(command);
   command.footer(
       "Examples:\n  raceway spindle my.toml --speed 6000 --steady\n"

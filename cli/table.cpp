@@ -172,8 +172,9 @@ Run setup_table(CLI::App& command) {
   const std::vector<CLI::Option*> declared = command.get_options();
   CLI::Option* const merge =
       command
-          .add_option("--merge", flags->merge,
-                      "files written by --slab, in any order, which are joined; replaces MODEL")
+          .add_option(
+              "--merge", flags->merge,
+              "files written by --slab, in any order; the command joins them and needs no MODEL")
           ->each([declared](const std::string&) {
             for (CLI::Option* const option : declared) option->required(false);
           })
