@@ -120,7 +120,7 @@ void print_check(const correction::RecordCheck& c) {
       c.sampling, c.duration / 3600.0, c.readings, c.reading_interval, c.shortest, c.longest);
   print_noise(c);
   for (const correction::RecordCheck::Quantum& q : c.quanta)
-    fmt::print("{}: last digit {:.3g} {}\n", q.column->name, q.step / q.column->factor,
+    fmt::print("{}: resolution {:.3g} {} (last digit)\n", q.column->name, q.step / q.column->factor,
                text::difference_unit(*q.column));
   for (const correction::RecordCheck::Printed& p : c.printed) {
     std::vector<std::string> lags;

@@ -142,7 +142,7 @@ Run setup_deflection(CLI::App& command) {
                   "direction of the force: radial or axial; default radial")
       ->check(CLI::IsMember({"radial", "axial"}))
       ->type_name("WORD");
-  add_number(command, "--speed", flags->speed_rpm, speed_range, "[rpm]; default 0");
+  add_number(command, "--speed", flags->speed_rpm, speed_range, "speed [rpm]; default 0");
   command.add_flag("--warm", flags->warm,
                    "use the preload of the warm spindle in its steady state at --speed");
   declare_coolant(command, flags->coolant_on, "coolant of the warm spindle, on or off; default on");

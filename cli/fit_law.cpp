@@ -73,7 +73,8 @@ int run(const FitLawFlags& flags) {
           "check whether this is real or scatter of the readings");
   }
   if (f.converged()) return done;
-  complain(fmt::format("raceway fit-law: {} after {} steps", fit::name(f.status), f.iterations));
+  complain(fmt::format("raceway fit-law: the fit ended with status {} after {} steps",
+                       fit::name(f.status), f.iterations));
   return not_converged;
 }
 

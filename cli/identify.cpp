@@ -68,7 +68,7 @@ session::Identified identified(const IdentifyFlags& flags, session::SeriesQuesti
 }
 
 int run(const IdentifyFlags& flags) {
-  flags.refuse_stdout("identify", "the numbers");
+  flags.refuse_stdout("identify", "the results");
   flags.require_writable();
   flags.choices.check();
   session::SeriesQuestion asked =

@@ -95,8 +95,10 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   require_all(question.speeds, speed_range, "--speed");
   for (double& speed : question.speeds) speed *= rpm;
   if ((!f.field.empty() || !f.end_state.empty()) && question.speeds.size() > 1)
-    throw text::InputError("raceway spindle: --field and --end-state need a single speed",
-                           {.key = "--speed"});
+    throw text::InputError(
+        "raceway spindle: --field and --end-state need a single --speed, because each file "
+        "contains one state",
+        {.key = "--speed"});
   const session::SteadySpindle found = session::steady_spindle(file, question);
   const std::size_t count = found.states.size();
   f.put_table([&] { return found.csv(); },
