@@ -147,7 +147,9 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("LOAD=FILE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--units", flags->units, "units of time histories; default s,um")
+  command
+      .add_option("--units", flags->units,
+                  "units of time and displacement in the time histories; default s,um")
       ->type_name("TIME,LENGTH");
   add_number(command, "--temperature", flags->temperature, temperature_range,
              "lubricant temperature [C] for the friction power of imported speeds; default: [rig] "
