@@ -196,7 +196,7 @@ TEST_F(Displacement, IsComparedInMicrometres) {
   const Result text = raceway("compare", data);
   EXPECT_THAT(text.out, HasSubstr("8 rows, axial displacement"));
   EXPECT_THAT(text.out, Not(HasSubstr("N mm")));
-  EXPECT_THAT(text.out, HasSubstr("no std_um in every row"));
+  EXPECT_THAT(text.out, HasSubstr("std_um is not given in every row"));
   const Result ladder =
       run("compare " + scratch_.file("my.toml") + " " + scratch_.file("my.toml") + " " + data);
   EXPECT_EQ(ladder.status, 0) << ladder.err;
