@@ -108,10 +108,10 @@ class Calibrator {
                       count(), readings_.front().torque));
     const int d = degree.value_or(1);
     if (torques() < d + 1 || count() < d + 2)
-      throw std::invalid_argument(fmt::format(
-          "{} readings at {} reference torques: a {} needs {} readings at {} torques, so that "
-          "their scatter is known",
-          count(), torques(), degree_name(d), d + 2, d + 1));
+      throw std::invalid_argument(
+          fmt::format("{} readings at {} reference torques: a {} needs {} readings at {} torques, "
+                      "so that the scatter of the readings is known",
+                      count(), torques(), degree_name(d), d + 2, d + 1));
   }
 
   /// Of the polynomials that leave readings and torques over.
@@ -322,11 +322,11 @@ class Calibrator {
     const double p = result_.even_scatter_p_value = fit::chi_squared_above(1.0, count() * share);
     if (!(p < sensor_significance)) return;
     set_covariance(robust_covariance(fit_));
-    result_.warnings.push_back(record::note::noise(fmt::format(
-        "the scatter is {:.3g} V in the lower half of the range and {:.3g} V in the upper ({}): "
-        "the standard errors remain valid, but the scatter of a single reading is only correct on "
-        "average",
-        result_.scatter_low, result_.scatter_high, chance(p))));
+    result_.warnings.push_back(record::note::noise(
+        fmt::format("the scatter of the signal is {:.3g} V in the lower half of the range and "
+                    "{:.3g} V in the upper half ({}): the standard errors remain valid, but the "
+                    "scatter of a single reading is only correct on average",
+                    result_.scatter_low, result_.scatter_high, chance(p))));
   }
 
   /// Readings whose residual, of a fit without them, chance does not bring once in a hundred such
@@ -343,7 +343,7 @@ class Calibrator {
       if (!(t > limit) || ++found > shown) continue;
       result_.warnings.push_back(record::note::check_data(
           fmt::format("line {}: {:.6g} V at {:.6g} N m is {:+.3g} V off the curve, {:.3g} times "
-                      "the scatter of the others; is it a typing error?",
+                      "the scatter of the other readings; is it a typing error?",
                       readings_[i].line, readings_[i].signal, readings_[i].torque, e / free, t),
           {.line = readings_[i].line}));
     }

@@ -193,7 +193,8 @@ std::string Investigation::several_text() const {
       "effect; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
       set.size() > 1
-          ? fmt::format(" {} other combination(s) of effects are equally good.", set.size() - 1)
+          ? fmt::format(" Number of other combinations of effects that are equally good: {}.",
+                        set.size() - 1)
           : "",
       error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
 }
@@ -298,7 +299,8 @@ std::string Investigation::other_bases_text() const {
     std::vector<std::string> names;  // of ids such as law:skf
     for (const OtherBaseTried& b : result_.other_bases)
       names.push_back(b.id.substr(b.id.find(':') + 1));
-    return fmt::format(" No other base law fits better (law = {}).", joined(names, "or"));
+    return fmt::format(" None of the other base laws fits better (tested: law = {}).",
+                       joined(names, "or"));
   }
   const ChannelDiagnosis& first = result_.channels.front();
   const std::string fall = fmt::format(

@@ -246,12 +246,12 @@ TEST_F(ContactLaw, JudgesFilmAndFrictionInOneLine) {
   const json in = contact_cases("bearing_10000rpm").front().at("inputs");
   const std::string solve =
       "solve " + scratch_.write("my.toml", model_of(in, "steel")) + " --axial-load 500 --speed ";
-  EXPECT_THAT(
-      run(solve + "10000").out,
-      HasSubstr(
-          "full film (smallest lambda 15.7); largest part: rolling resistance of the oil, 98 %"));
-  EXPECT_THAT(run(solve + "0").out, HasSubstr("boundary friction (smallest lambda 0); largest "
-                                              "part: sliding in the contacts,"));
+  EXPECT_THAT(run(solve + "10000").out,
+              HasSubstr("full film (smallest lambda 15.7); largest part of the friction torque: "
+                        "rolling resistance of the oil, 98 %"));
+  EXPECT_THAT(run(solve + "0").out,
+              HasSubstr("boundary friction (smallest lambda 0); largest "
+                        "part of the friction torque: sliding in the contacts,"));
   EXPECT_THAT(run(solve + "10000").err, HasSubstr("balls may skid"));
 }
 
