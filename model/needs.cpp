@@ -137,7 +137,8 @@ std::string refused_by_rollers(const effects::Description& effect) {
 /// Why a measured torque has no such effect, in words; empty if it does.
 std::string refused_by_table(const effects::Description& effect) {
   if (effect.lubricant || effect.base_law || effect.of_viscous_moment)
-    return "another base law: the program does not change the viscous moment of a friction table";
+    return "another base law, because the program does not change the viscous moment of a friction "
+           "table";
   return {};
 }
 
@@ -148,11 +149,12 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
   if (model.law == friction::FrictionLaw::table) return refused_by_table(effect);
   if (model.law != friction::FrictionLaw::contact) return {};
   if (!effect.within_contacts.empty())
-    return fmt::format("another base law: the contact law already includes this effect as {}",
-                       effect.within_contacts);
+    return fmt::format(
+        "another base law, because the contact law already includes this effect as {}",
+        effect.within_contacts);
   if (effect.within_oil_fraction && model.law_values.back() > 0.0)
-    return "oil_fraction = 0 under [friction]: the contact law already includes the drag of the "
-           "balls";
+    return "oil_fraction = 0 under [friction], because the contact law already includes the drag "
+           "of the balls";
   return {};
 }
 

@@ -260,7 +260,7 @@ class RunRegression {
     summary_.torque_std = record::median(deviations);
     note(
         "{} torques from {} speed samples by local regression, M = -J dw/dt with J = {:.6g} kg m2; "
-        "median standard deviation of the torques {:.3g} N mm (of a speed sample {:.3g} rpm{})",
+        "median standard deviation of the torques {:.3g} N mm (noise of the speed {:.3g} rpm{})",
         summary_.rows, summary_.samples, rig_.inertia, summary_.torque_std / N_mm, noise.std / rpm,
         noise.correlation > 0.0
             ? fmt::format(", correlation of successive samples {:.2f}", noise.correlation)

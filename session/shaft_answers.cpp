@@ -34,8 +34,8 @@ std::vector<std::string> shaft_warnings(const model::Model& model,
         r.what == shaft::Unloaded::no_contact
             ? fmt::format("{}: without load, the balls have no contact with the inner ring {}",
                           places, speeds)
-            : fmt::format("{}: the load is below the minimum load {}: {:.4g} N instead "
-                          "of {:.4g} N; balls may skid",
+            : fmt::format("{}: the load is below the minimum load {}: {:.4g} N instead of at least "
+                          "{:.4g} N; balls may skid",
                           places, speeds, r.load, r.minimum_load));
   }
   return lines;

@@ -745,10 +745,11 @@ class Inquiry {
           if (!next && t.kinds().front() != best.kinds().front() &&
               (best.has_column() || !t.has_column()))
             next = &t;
-        return fmt::format(
-            "Consistent with {}: {}; with this explanation the error is {}{}.", found_text(), base,
-            error(best),
-            next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");
+        return fmt::format("Consistent with {}: {}; with this explanation the error is {}{}.",
+                           found_text(), base, error(best),
+                           next ? fmt::format(", next best {} with an error of {}",
+                                              next->ids().front(), error(*next))
+                                : "");
       }
       case verdict::Verdict::ambiguous:
         return fmt::format(

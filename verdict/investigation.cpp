@@ -141,8 +141,8 @@ void Investigation::tell_declared_noise() {
     const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
     if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
     result_.messages.push_back(record::note::noise(
-        fmt::format("std_{} sets only the relative weights of the rows; a saturated regression "
-                    "gives a noise of {} instead of the declared {:.3g}",
+        fmt::format("std_{} sets only the relative weights of the rows; a regression with all "
+                    "testable effects gives a noise of {} instead of the declared {:.3g}",
                     d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
                     declared / d.channel().factor)));
   }
@@ -365,8 +365,8 @@ bool Investigation::may_be_block_offsets(const Explanation& e) const {
 std::string Investigation::doubt_about_time(const Set& set) const {
   const bool doubtful = std::all_of(
       set.begin(), set.end(), [this](const Explanation* e) { return may_be_block_offsets(*e); });
-  return doubtful ? "but a zero that was set before each block of rows may look the same (mark the "
-                    "rows of each run with run_id)"
+  return doubtful ? "but a sensor zero that was set before each block of rows may change the "
+                    "readings in the same way (mark the rows of each run with run_id)"
                   : "";
 }
 
