@@ -95,7 +95,7 @@ void take_fit(const fit::Response& response, const fit::ResponseFit& fit,
   result.iterations = fit.iterations;
   if (!fit.converged) {
     result.messages.push_back(record::note::not_converged(
-        "the fit did not converge: it reached no minimum from two sets of start values"));
+        "the fit did not converge: no two sets of start values lead to the same minimum"));
     return;
   }
   std::size_t moved = 0;
