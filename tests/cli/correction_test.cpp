@@ -200,7 +200,7 @@ TEST_F(Correction, WrongInputIsRefusedWithItsPlace) {
                  "unknown effect");
   expect_refused(run("compare " + model + " " + corrections +
                      "ambient/train.csv --displacement displacement_y_um"),
-                 "models displacement_z_um");
+                 "does not model this channel; it models displacement_z_um");
 }
 
 /// A record that only warms up once holds out nothing.
