@@ -453,7 +453,7 @@ class TableReader {
       const std::string_view what = r.name.substr(name.size() + 1);
       if (const auto at = numbers_at(what, "at ", {end}); !at.empty()) {
         if (!c.input.empty() && at.front() <= c.input.back())
-          fail(r, "the input must increase from row to row");
+          fail(r, "the input values of a curve must increase from row to row");
         c.input.push_back(at.front());
         c.value.push_back(number(r));
         continue;

@@ -271,9 +271,9 @@ class Bank {
         result_.strengths.begin(), result_.strengths.end(),
         [](const StrengthTried& a, const StrengthTried& b) { return a.rms_ahead < b.rms_ahead; });
     if (best->strength == strengths.front() || best->strength == strengths.back())
-      result_.messages.push_back(record::note::at_bound(
-          fmt::format("the best ridge strength, {:g}, is the {} of the tested values",
-                      best->strength, best->strength == strengths.front() ? "least" : "largest")));
+      result_.messages.push_back(record::note::at_bound(fmt::format(
+          "the best ridge strength, {:g}, is the {} of the tested values", best->strength,
+          best->strength == strengths.front() ? "smallest" : "largest")));
   }
 
   void step(double share, std::string_view what) const {

@@ -133,9 +133,9 @@ Trust trust_of(const Model& model) {
     return refused("no part of the record of the fit could be held out for a test");
   if (!e.other_record && e.one_way)
     return refused(
-        "its record goes from one state to another only once, so the model is not tested for "
-        "another day: record a cool-down as well, or test it with another record (identify "
-        "--validate)");
+        "the record of the fit goes from one state to another only once, so no test shows the "
+        "error on another day: record a cool-down as well, or test the model with another record "
+        "(identify --validate)");
   if (!e.other_record && slowest.time_constant > e.duration)
     return refused(fmt::format("a time constant of {} is {}, longer than the record of {}",
                                slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));

@@ -135,7 +135,7 @@ std::string_view text(Need need) {
     case Need::speed_levels:
       return "more than one speed";
     case Need::load_levels:
-      return "more than one load";
+      return "more than one load (axial or radial)";
     case Need::preload_levels:
       return "more than one preload (preload_N)";
     case Need::viscosity_levels:

@@ -12,9 +12,9 @@ using testing::Not;
 
 const std::string exact_record = source_dir() + "/data/corrections/exact/";
 const std::string one_way =
-    "do not use, because its record goes from one state to another only once, so the model is not "
-    "tested for another day: record a cool-down as well, or test it with another record (identify "
-    "--validate)";
+    "do not use, because the record of the fit goes from one state to another only once, so no "
+    "test shows the error on another day: record a cool-down as well, or test the model with "
+    "another record (identify --validate)";
 
 /// Identified on the first hours of a record, into found.toml of a folder.
 Result identified(const ScratchFolder& scratch, const std::string& flags) {

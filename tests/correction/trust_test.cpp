@@ -42,7 +42,8 @@ TEST(Trust, IsNoneWhereNothingShowsAnotherDay) {
               StartsWith("do not use, because no part of the record of the fit could be held out"));
   EXPECT_THAT(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.one_way = true; })))),
-      StartsWith("do not use, because its record goes from one state to another only once"));
+      StartsWith(
+          "do not use, because the record of the fit goes from one state to another only once"));
   EXPECT_EQ(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.duration = 0.4 * hour; })))),
       "do not use, because a time constant of front is 0.5 h, longer than the record of 0.4 h");
@@ -52,8 +53,7 @@ TEST(Trust, IsNoneWhereTheDisplacementItselfIsHardlyMore) {
   EXPECT_EQ(line_of(trust_of(judged_by(evidence_with(
                 [](Evidence& e) { e.error = 12.3 * um, e.uncorrected = 14.7 * um; })))),
             "do not use, because the RMS error on held-out parts is 12.3 um; the RMS displacement "
-            "without "
-            "correction is 14.7 um");
+            "without correction is 14.7 um");
 }
 
 TEST(Trust, IsWithinTheRangeWhereReadingsAreShortOrMoreIsLeftThanTolerated) {
