@@ -94,10 +94,8 @@ class RunRegression {
       const int samples = static_cast<int>(kept.size());
       if (kept.size() < fewest()) {
         if (falls.size() > 1)
-          note(
-              "one fall of the speed has too few usable samples for a torque and is not used: {} "
-              "({})",
-              samples, record_.place(fall.front().row));
+          note("{} samples of one fall of the speed are too few for a torque and are not used ({})",
+               samples, record_.place(fall.front().row));
         summary_.samples = std::max(summary_.samples, samples);
         continue;
       }
@@ -144,10 +142,8 @@ class RunRegression {
         b.inputs[c] = inputs_[c].empty() ? unset : inputs_[c][i];
     }
     if (!slow.empty())
-      note(
-          "number of samples that are not used, because the shaft is at standstill or below "
-          "{1:.4g} rpm: {0} ({2})",
-          slow.size(), rig_.minimum_speed / rpm, places_text(record_, slow));
+      note("{} samples at standstill or below {:.4g} rpm are not used ({})", slow.size(),
+           rig_.minimum_speed / rpm, places_text(record_, slow));
     return samples;
   }
 
@@ -206,8 +202,8 @@ class RunRegression {
         kept.push_back(samples[i]);
     }
     if (!rows.empty())
-      note("number of samples that are outliers of the speed curve and are not used: {} ({})",
-           rows.size(), places_text(record_, rows));
+      note("{} samples are outliers of the speed curve and are not used ({})", rows.size(),
+           places_text(record_, rows));
     summary_.outliers += static_cast<int>(rows.size());
     return kept;
   }
@@ -222,10 +218,8 @@ class RunRegression {
       const std::vector<Block> segment = averaged(samples, block);
       const auto cuts = windows(segment, fewest(), most, options_.largest_fall);
       if (cuts.empty())
-        note(
-            "a part between two gaps in time has too few samples for a torque and is not used: {} "
-            "({})",
-            segment.size() * block, record_.place(segment.front().row));
+        note("{} samples between two gaps in time are too few for a torque and are not used ({})",
+             segment.size() * block, record_.place(segment.front().row));
       for (const std::span<const Block> part : cuts) parts.emplace_back(part.begin(), part.end());
     }
   }
@@ -251,10 +245,8 @@ class RunRegression {
                          averaged(parts[w], parts[w].size()).front(), row});
     }
     if (!driven.empty())
-      note(
-          "number of windows that are not used, because the speed does not fall in these windows: "
-          "{} ({})",
-          driven.size(), places_text(record_, driven));
+      note("{} windows are not used, because the speed does not fall in these windows ({})",
+           driven.size(), places_text(record_, driven));
     summary_.rows = static_cast<int>(deviations.size());
     if (deviations.empty()) return;
     summary_.torque_std = record::median(deviations);

@@ -194,8 +194,7 @@ std::string Investigation::several_text() const {
       "effect; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
       set.size() > 1
-          ? fmt::format(" Number of other combinations of effects that are equally good: {}.",
-                        set.size() - 1)
+          ? fmt::format(" {} other combination(s) of effects are equally good.", set.size() - 1)
           : "",
       error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
 }
@@ -236,9 +235,8 @@ std::string Investigation::bent_text() const {
     exponents.push_back(fmt::format("{} {:+.2f}", e.name, e.value));
   return fmt::format(
       "Something is missing that acts like {}, but with exponents that differ from the catalogue "
-      "by "
-      "{} (with the exponents of the catalogue, the fit is rejected, {}). Either this effect has "
-      "another law here, or a similar effect is missing that is not in the catalogue.",
+      "by {} (with the exponents of the catalogue, the fit is rejected, {}). Either this effect "
+      "has another law here, or a similar effect is missing that is not in the catalogue.",
       joined_sets(set), fmt::join(exponents, ", "), p_text(pure));
 }
 

@@ -141,8 +141,8 @@ void Investigation::tell_declared_noise() {
     const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
     if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
     result_.messages.push_back(record::note::noise(
-        fmt::format("std_{} sets only the relative weights of the rows; a regression with all "
-                    "testable effects gives a noise of {} instead of the declared {:.3g}",
+        fmt::format("std_{} sets only the relative weights of the rows; a regression on the "
+                    "inputs gives a noise of {} instead of the declared {:.3g}",
                     d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
                     declared / d.channel().factor)));
   }
@@ -219,16 +219,15 @@ void Investigation::describe_base() {
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
     tell(record::note::rows_used(
-        fmt::format("number of rows that are outliers and have less weight: {}; the first is {}",
-                    outliers.size(), record_.place(outliers.front()))));
+        fmt::format("{} row(s) are outliers and have less weight; the first is {}", outliers.size(),
+                    record_.place(outliers.front()))));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
     tell(record::note::rows_used(fmt::format("{} of {} rows were used, chosen at random",
                                              result_.rows, evidence_.rows_in_record)));
   if (left_out > 0)
     tell(record::note::rows_used(
-        fmt::format("number of rows that are not used, because they have no reading or no "
-                    "prediction: {}; the first is {}",
+        fmt::format("{} row(s) without a reading or a prediction are not used; the first is {}",
                     left_out, record_.place(result_.rows_not_predicted.front()))));
   for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
     if (evidence_.base.at_bound[k])
