@@ -52,9 +52,11 @@ const Key contact_friction_keys[]{
      "inlet"},
     // Zhou and Hoeprich's share of the asperities; their numbers belong to a surface.
     {"asperity_factor", between(0.1, 10), usual_contact.asperities.B,
-     "B in the load share of the asperities, exp(-B lambda^C)"},
+     "coefficient B in the load share of the asperities, exp(-B lambda^C), with the film ratio "
+     "lambda"},
     {"asperity_exponent", between(0.2, 5), usual_contact.asperities.C,
-     "C in the load share of the asperities, exp(-B lambda^C)"},
+     "exponent C in the load share of the asperities, exp(-B lambda^C), with the film ratio "
+     "lambda"},
 };
 
 constexpr model::LifeData usual_life;
@@ -63,7 +65,8 @@ constexpr Key life_keys[]{
      "dynamic load rating C"},
     {"fatigue_load_N", between(0.01, 1e8, "N"), "calculated by ISO 281 from the geometry",
      "fatigue load limit C_u"},
-    {"contamination", between(0, 1), usual_life.contamination, "e_C of ISO 281"},
+    {"contamination", between(0, 1), usual_life.contamination,
+     "contamination factor e_C of ISO 281"},
     {"reliability", between(90, 99.95, "%"), usual_life.reliability,
      "reliability for which the life is calculated"},
 };

@@ -27,7 +27,7 @@ constexpr Key correction_together_keys[]{
      "largest distance of a row from the mean, in standard deviations"},
 };
 constexpr Key correction_residual_keys[]{
-    {"rms_um", between(0, 1e9, "um"), is_required, "RMS residual on held-out parts"},
+    {"rms_um", between(0, 1e9, "um"), is_required, "RMS residual on held-out parts of the record"},
     {"correlation_time_s", between(0, 1e12, "s"), unset, "correlation time of the residual"},
 };
 
@@ -99,7 +99,7 @@ std::string other_numbers(const fit::Covariance& c, const std::vector<std::strin
     const auto p = std::find_if(known.begin(), known.end(),
                                 [&](const auto& one) { return one.name == c.names[k]; });
     if (p == known.end() || p->unit != units[k])
-      return fmt::format("the model has no {} in {}", c.names[k], units[k]);
+      return fmt::format("the model has no parameter {} with the unit {}", c.names[k], units[k]);
     const double value = c.values[static_cast<Eigen::Index>(k)];
     if (!(std::abs(p->value - value) <= same * std::max(std::abs(p->value), std::abs(value))))
       return fmt::format(

@@ -289,15 +289,14 @@ class Reader {
       }
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
-      throw text::InputError(
-          fmt::format(
-              "{}: no fall ends above minimum_speed_rpm = {:.6g} of [rig], so no row can be used",
-              table_.source, minimum),
-          {.file = table_.source, .key = std::string(record::speed.name)});
+      throw text::InputError(fmt::format("{}: no fall of the speed ends above minimum_speed_rpm = "
+                                         "{:.6g} of [rig], so no row can be used",
+                                         table_.source, minimum),
+                             {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
-      notes_.push_back(record::note::left_out(
-          fmt::format("{} of {} falls end below minimum_speed_rpm = {:.6g} and are not used",
-                      table_.rows() - fast.size(), table_.rows(), minimum)));
+      notes_.push_back(record::note::left_out(fmt::format(
+          "{} of {} falls of the speed end below minimum_speed_rpm = {:.6g} and are not used",
+          table_.rows() - fast.size(), table_.rows(), minimum)));
     const Record what = record().picked(fast);
     return torque([&](const model::Rig& of) { return rig::fall_torque(what, falls, of); });
   }

@@ -56,7 +56,8 @@ const Key control_keys[]{
     {"hold_s", between(0, 1e6, "s"), usual_control.hold_s,
      "time for which the program uses the last good value of a faulty input"},
     {"fade_s", between(0.1, 1e6, "s"), usual_control.fade_s,
-     "time in which an offset fades after a lasting fault, and in which it returns"},
+     "time in which an offset fades after a lasting fault, and in which it returns after the "
+     "fault"},
     {"longest_gap_s", between(1e-3, 1e6, "s"), usual_control.longest_gap_s,
      "longest normal time between two calls; after a longer gap, offsets move at most as far as in "
      "this time, and the program raises an alarm"},
@@ -74,8 +75,8 @@ const Key control_keys[]{
      "offsets when the correction is disabled: zero (go to 0 at their slew rate) or freeze (keep "
      "their values)"},
     {"beyond_range", one_of("linear|hold"), usual_control.beyond_range,
-     "inputs of the sections outside [correction.range]: linear (extrapolate) or hold (use the "
-     "value at the edge; parts of the correction without lag always use this value)"},
+     "treatment of section inputs outside [correction.range]: linear (extrapolate) or hold (use "
+     "the value at the edge; parts of the correction without lag always use this value)"},
 };
 
 class ExportReader {

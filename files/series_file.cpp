@@ -380,7 +380,8 @@ void take_offsets_off(Record& record, const std::function<bool(const Channel&)>&
   }
   if (!lone.empty())
     record.notes.push_back(record::note::unused(
-        fmt::format("{}: the record has no displacement for this offset", text::listed(lone))));
+        fmt::format("{}: not used, because the record has no displacement for this offset",
+                    text::listed(lone))));
   std::erase_if(record.columns,
                 [](const record::Column& c) { return c.channel->kind == record::offset_kind; });
 }
@@ -525,11 +526,11 @@ class SeriesOfFiles {
       begin = std::max(begin, part.values(record::time).front());
       const double last = part.values(record::time).back();
       if (last < times_.back() && is_log_of_changes(part))
-        record.notes.push_back(record::note::filled_in(
-            fmt::format(
-                "{} has a row for each change: its last row, at {:.6g} s, applies to the end",
-                part.source, last),
-            {.file = part.source, .key = "time_s"}));
+        record.notes.push_back(
+            record::note::filled_in(fmt::format("{} has a row for each change: its last row, at "
+                                                "{:.6g} s, applies to the end of the record",
+                                                part.source, last),
+                                    {.file = part.source, .key = "time_s"}));
       else
         end = std::min(end, last);
     }
@@ -537,14 +538,16 @@ class SeriesOfFiles {
     for (std::size_t row = 0; row < times_.size(); ++row)
       if (times_[row] >= begin && times_[row] <= end) rows.push_back(row);
     if (rows.empty())
-      throw text::InputError(fmt::format("{} have no time in common", text::listed(names())),
+      throw text::InputError(fmt::format("{} have no time in common, so they cannot be joined; "
+                                         "check their dates and units of time",
+                                         text::listed(names())),
                              {.file = record.source, .key = "time_s"});
     if (rows.size() == record.rows()) return record;
-    record.notes.push_back(
-        record::note::left_out(fmt::format("{} rows before {:.6g} s or after {:.6g} s are not "
-                                           "used, because one of these files has no rows there",
-                                           record.rows() - rows.size(), begin, end),
-                               {.file = record.source}));
+    record.notes.push_back(record::note::left_out(
+        fmt::format("{} rows before {:.6g} s or after {:.6g} s are not used, because one of these "
+                    "files does not cover this time",
+                    record.rows() - rows.size(), begin, end),
+        {.file = record.source}));
     return record.picked(rows);
   }
 

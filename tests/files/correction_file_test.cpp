@@ -122,10 +122,9 @@ TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {
   EXPECT_THAT([&] { (void)torque(table, ""); },
               refused("radial_load_N is missing, at which the friction table is read: give a "
                       "number or a column"));
-  EXPECT_THAT(
-      [&] { (void)torque(table, "radial_load_N = 2001\n"); },
-      refused(
-          "radial_load_N = 2001 N is outside t.csv, which has the radial loads 0, 500 and 2000 N"));
+  EXPECT_THAT([&] { (void)torque(table, "radial_load_N = 2001\n"); },
+              refused("radial_load_N = 2001 N is outside the range of t.csv, which has the radial "
+                      "loads 0, 500 and 2000 N"));
   const std::string without = "speed_rpm,friction_torque_Nmm\n0,10\n1000,20\n";
   EXPECT_NEAR(torque(without, ""), 20, 1e-9);
   EXPECT_THAT([&] { (void)torque(without, "radial_load_N = 5\n"); }, refused("N is outside"));
@@ -445,7 +444,8 @@ TEST(SeriesFile, AnOffsetThatTheControlAddedIsTakenOff) {
   EXPECT_THAT(
       texts(r.notes),
       Contains("the offset of the control, offset_z_um, is subtracted from displacement_z_um"));
-  EXPECT_THAT(texts(r.notes), Contains(HasSubstr("offset_y_um: the record has no displacement")));
+  EXPECT_THAT(texts(r.notes),
+              Contains(HasSubstr("offset_y_um: not used, because the record has no displacement")));
   EXPECT_DOUBLE_EQ(
       read("[columns]\noffset_z_um = { column = \"offset_z_um\", factor = -1 }\n").values(z)[1],
       -1e-6);
