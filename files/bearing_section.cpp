@@ -19,8 +19,8 @@ namespace {
 constexpr Key keys_of_bearing[]{
     {"catalogue", a_text, unset,
      "designation of a bearing; if it is not in the catalogue, the program estimates the bearing. "
-     "All other keys of this table are then optional; a given key replaces the value of the "
-     "catalogue"},
+     "With this key, all other keys of this table are optional; a key that you give replaces the "
+     "value of the catalogue"},
     {"name", a_text, "designation, else name of the file", "name in the results"},
     {"ball_count", whole(3, 200), "value in the catalogue",
      "number of balls; they must fit on the pitch circle"},

@@ -24,8 +24,8 @@ const std::string words_of_oil =
 
 const Key contact_lubricant_keys[]{
     {"type", one_of(words_of_oil), "mineral",
-     "type of the oil, which determines the defaults of pressure-viscosity coefficient, density, "
-     "conductivity and limiting traction; for the law contact"},
+     "type of the oil, which determines the defaults of its pressure-viscosity coefficient, "
+     "density, thermal conductivity and limiting traction; for the law contact"},
     {"pressure_viscosity_1_GPa", between(3, 40, "1/GPa"), "from type and viscosity",
      "pressure-viscosity coefficient; for the law contact"},
     {"density_15C_kg_m3", between(600, 2000, "kg/m3"), usual_oil.density_15C,

@@ -69,8 +69,8 @@ constexpr Key correction_keys[]{
 constexpr Key correction_channel_keys[]{
     {"name", a_text, "name of the input", "name in the results"},
     {"input", a_text, is_required,
-     "input of the channel: a column, a list of columns (their mean is used), or \"power_W\" "
-     "(torque of a friction table times speed)"},
+     "input of the channel: a column, a list of columns (the program uses their mean), or "
+     "\"power_W\" (torque of a friction table times speed)"},
     {"exponent", between(0.5, 3.0), 1.0,
      "exponent for a speed n as input: n (n/1000 rpm)^(exponent - 1) drives the channel"},
     {"reference", a_text, unset,

@@ -119,8 +119,8 @@ void read_correction_covariance(const Section& s, Model& m, std::vector<std::str
   c.matrix = covariance_of(s, count);
   if (const std::string why = other_numbers(c, units, m); !why.empty()) {
     notes.push_back(
-        fmt::format("{}: [correction.covariance] is not used: {}. Results have no band; identify, "
-                    "calibrate or add calculate a new covariance",
+        fmt::format("{}: [correction.covariance] is not used: {}. Results have no error band; "
+                    "identify, calibrate or add calculate a new covariance",
                     m.displacement->name, why));
     m.left.reset();
     m.evidence.reset();

@@ -314,7 +314,7 @@ class Reader {
       result.notes.push_back(record::note::assumed(
           fmt::format(
               "inertia_kgm2 = \"unknown\": the program assumes {:.4g} kg m2, which gives the mean "
-              "torque of the unfitted model. Torques, f0, z and all sizes in N mm have an unknown "
+              "torque of the unfitted model. Torques, f0, z and all values in N mm have an unknown "
               "common factor; the record determines only the shape of the curve",
               assumed.inertia),
           {.key = "inertia_kgm2"}));

@@ -22,8 +22,8 @@ const Key control_keys[]{
     {"slew_urad_s", between(1e-6, 1e6, "urad/s"), usual_control.slew_um_s.all,
      "highest slew rate of an angle offset; for all angles, or for each displacement"},
     {"sign", between(-1, 1), usual_control.sign.all,
-     "1 or -1 in offset = sign * displacement; -1 moves the axis against the displacement; for all "
-     "axes, or for each displacement"},
+     "sign in offset = sign * displacement, 1 or -1; with -1, the axis moves against the "
+     "displacement; for all axes, or for each displacement"},
     {"unit", one_of("um|mm|counts"), usual_control.unit.all,
      "unit of the offset; counts are whole numbers; for all axes, or for each displacement"},
     {"count_um", between(1e-6, 1e6, "um"), usual_control.count_um.all,
@@ -41,8 +41,8 @@ const Key control_keys[]{
      "[lowest, highest] plausible value of an input in its unit; one pair for all temperatures, or "
      "{ COLUMN = [...] } for any input"},
     {"fastest_per_s", between(0, 1e9), usual_control.fastest_per_s.all,
-     "largest change of an input per second in its unit; 0: no limit; one number for all "
-     "temperatures, or { COLUMN = ... } for any input"},
+     "largest change of an input per second, in the unit of the input; 0: no limit; one number for "
+     "all temperatures, or { COLUMN = ... } for any input"},
     {"stuck_s", between(0, 1e9, "s"), usual_control.stuck_s.all,
      "longest time without a change of an input; 0: no limit; one number for all temperatures, or "
      "{ COLUMN = ... } for any input"},

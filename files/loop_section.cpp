@@ -17,7 +17,7 @@ namespace raceway::files {
 namespace {
 
 constexpr Key calibration_keys[]{
-    {"free", a_list, "usual parameters of the law",
+    {"free", a_list, "usual free parameters of the law",
      "parameters to fit: parameters of the law, preload_N, inner_conformity, outer_conformity, "
      "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; for a correction: its parameters or groups "
      "of parameters"},

@@ -19,7 +19,8 @@ constexpr Key rig_keys[]{
      "radial load of one bearing, for records without this column"},
     {"temperature_C", between(-273, 500, "C"), celsius(usual_rig.temperature),
      "lubricant temperature, for records without this column"},
-    {"room_temperature_C", between(-273, 500, "C"), "coldest row (diagnose and add)",
+    {"room_temperature_C", between(-273, 500, "C"),
+     "temperature of the coldest row (for diagnose and add)",
      "room temperature, for the effect temperature-gain"},
     {"minimum_speed_rpm", between(0, 1e6, "rpm"), usual_rig.minimum_speed / rpm,
      "lowest speed of the coast-down rows that the program uses; a note gives the number of slower "

@@ -206,7 +206,8 @@ class SeriesReader {
     append(list, notes_of(record::note::filled_in, constants_));
     append(list, notes_of(record::note::unused, unknown_));
     if (!unused_.empty())
-      list.push_back(record::note::unused("not predicted by the model: " + text::listed(unused_)));
+      list.push_back(record::note::unused("not used, because the model does not predict it: " +
+                                          text::listed(unused_)));
     return list;
   }
 
