@@ -113,18 +113,20 @@ constexpr Key window_keys[]{
      "window) or input (for heat that arises only inside the window)"},
 };
 // Of an input in kelvin; the names of others end in their unit.
-constexpr Key feedthrough_keys[]{{"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
-                                  "displacement without lag, per unit of the input. The name ends "
-                                  "in this unit: um_K, um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
-constexpr Key section_gain_keys[]{{"gain_um_K", between(-most, most, "um/K"), is_required,
-                                   "steady displacement per unit of the input. The name ends in "
-                                   "this unit: um_K, um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
+constexpr Key feedthrough_keys[]{
+    {"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
+     "displacement without lag, per unit of the input. The name of the key ends in its unit: um_K, "
+     "um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
+constexpr Key section_gain_keys[]{
+    {"gain_um_K", between(-most, most, "um/K"), is_required,
+     "steady displacement per unit of the input. The name of the key ends in its unit: um_K, um_W, "
+     "um_m_min, um_rpm, um_A, um_mm ..."}};
 constexpr Key section_time_keys[]{
     {"time_constant_s", between(1e-3, most, "s"), is_required, "time constant of the lag"}};
 constexpr Key element_gain_keys[]{
     {"slope_um_W", between(-most, most, "um/W"), unset,
-     "slope of the gain against the input. The name ends in the unit of the input: slope_um_W, "
-     "slope_um_N ..."},
+     "slope of the gain against the input. The name of the key ends in the unit of the input: "
+     "slope_um_W, slope_um_N ..."},
     {"offset_um", between(-most, most, "um"), unset,
      "gain at an input of 0, together with the slope (slope_um_W or a similar key)"},
     {"factor", between(-most, most, "um"), unset,
@@ -135,8 +137,8 @@ constexpr Key element_gain_keys[]{
 };
 constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset,
-     "slope of the time constant against the input. The name ends in the unit of the input: "
-     "slope_min_W, slope_min_N ..."},
+     "slope of the time constant against the input. The name of the key ends in the unit of the "
+     "input: slope_min_W, slope_min_N ..."},
     {"offset_min", between(-most, most, "min"), unset,
      "time constant at an input of 0, together with the slope (slope_min_W or a similar key)"},
     {"factor", between(-most, most, "min"), unset,
@@ -511,13 +513,13 @@ class CorrectionReader {
         characteristic(s, c.input, "time_constant", element_time_keys, minute),
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
-        fmt::format(
-            "channel {}: for {} of 0, the program uses the gain 0 and the time constant that the "
-            "law gives for this {}{}",
-            c.name, c.input.is_power() ? "a power" : "an input",
-            c.input.is_power() ? "power" : "input",
-            c.input.is_power() ? ": the publication of this law gives no value for standstill"
-                               : ""),
+        fmt::format("channel {}: at {} of 0, the gain is 0, and the time constant is the value of "
+                    "the law at this {}{}",
+                    c.name, c.input.is_power() ? "a power" : "an input",
+                    c.input.is_power() ? "power" : "input",
+                    c.input.is_power()
+                        ? ": the publication of this law gives no value for standstill"
+                        : ""),
         {.key = c.name}));
   }
 

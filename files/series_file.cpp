@@ -249,9 +249,10 @@ void note_gaps(Record& result) {
                     result.settings_hold == record::SettingsHold::until_row
                         ? "the settings of the next row apply"
                         : "temperatures are interpolated, and settings keep their value") +
-            (longest > an_hour ? ". If the machine ran during the gap, give the rows after it "
-                                 "another run_id; a new run starts from rest with a new zero"
-                               : ""),
+            (longest > an_hour
+                 ? ". If the machine ran during the gap, give the rows after it another run_id; a "
+                   "new run starts from rest, with a new zero of the displacement"
+                 : ""),
         {.line = result.line(first)}));
 }
 
@@ -334,7 +335,8 @@ void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
           fmt::format(
               "{} has no reading for more than {}, {}: {}", channel->name,
               length_text(filled.longest), rows_text(record, filled.far),
-              breaks ? "the record has a gap there, and the readings in this gap are not used"
+              breaks ? "the program treats these rows as a gap of the record and does not use "
+                       "their readings"
                      : "the values are interpolated, because the model does not use this column"),
           place));
       for (const std::size_t row : filled.far) broken[row] = broken[row] || breaks;

@@ -506,9 +506,11 @@ TEST(LoggerExports, ALongGapOfASensorBreaksTheRecord) {
   });
   const Result found = run("identify " + record_model + " " + gap.file);
   EXPECT_EQ(found.status, 0) << found.err;
-  EXPECT_THAT(found.err,
-              HasSubstr("room_temperature_C has no reading for more than 10 min, line 402 to 461: "
-                        "the record has a gap there, and the readings in this gap are not used"));
+  EXPECT_THAT(
+      found.err,
+      HasSubstr(
+          "room_temperature_C has no reading for more than 10 min, line 402 to 461: "
+          "the program treats these rows as a gap of the record and does not use their readings"));
   expect_truth(gap.file, "", true);
 }
 

@@ -469,9 +469,10 @@ TEST(SeriesFile, RowsWithoutAnInputAreLeftOutOrBreakTheRecord) {
   EXPECT_DOUBLE_EQ(r.value(front, 3), kelvin(20.0 + 2.0 * 340.0 / 740.0));
   EXPECT_THAT(r.values(z),
               ElementsAre(DoubleEq(1e-6), DoubleEq(1e-6), DoubleEq(1e-6), IsNan(), DoubleEq(1e-6)));
-  EXPECT_THAT(texts(r.notes),
-              Contains("front_temperature_C has no reading for more than 5 min, line 5: the record "
-                       "has a gap there, and the readings in this gap are not used"));
+  EXPECT_THAT(
+      texts(r.notes),
+      Contains("front_temperature_C has no reading for more than 5 min, line 5: the program treats "
+               "these rows as a gap of the record and does not use their readings"));
   // A column that the model does not ask for is left out.
   r = series(gap);
   EXPECT_FALSE(r.has(front));
