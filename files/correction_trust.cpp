@@ -40,7 +40,7 @@ constexpr Key correction_trust_keys[]{
     {"duration_s", between(0, 1e12, "s"), is_required,
      "duration of the readings in the longest run"},
     {"course", one_of("returns|one-way"), is_required,
-     "course of the readings; one-way: they go from one state to another only once"},
+     "course of the readings; one-way: the readings only rise once, or only fall once"},
     {"judged_by", one_of("held-out|other-record"), is_required,
      "source of the held-out readings: parts of the record, or another record (identify "
      "--validate)"},

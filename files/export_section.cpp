@@ -33,10 +33,10 @@ const Key control_keys[]{
     {"count_urad", between(1e-6, 1e6, "urad"), usual_control.count_um.all,
      "size of one count of an angle offset; for all angles, or for each displacement"},
     {"axis", one_of("x|y|z|u|v|w|a|b|c"),
-     "LETTER in displacement_LETTER_um or displacement_LETTER_urad",
+     "the LETTER in the column displacement_LETTER_um or displacement_LETTER_urad",
      "LinuxCNC axis that the offset moves"},
     {"plausible", a_list,
-     "temperatures: [-40, 150]; other inputs: up to 10 times the largest amount in "
+     "temperatures: [-40, 150] C; other inputs: up to 10 times the largest amount in "
      "[correction.range]",
      "[lowest, highest] plausible value of an input in its unit; one pair for all temperatures, or "
      "{ COLUMN = [...] } for any input"},
