@@ -19,8 +19,8 @@ namespace {
 constexpr Key keys_of_bearing[]{
     {"catalogue", a_text, unset,
      "designation of a bearing; if it is not in the catalogue, the program estimates the bearing. "
-     "All other keys of this table are then optional; a given key replaces the value of the "
-     "catalogue"},
+     "With this key, all other keys of this table are optional; a key that you give replaces the "
+     "value of the catalogue"},
     {"name", a_text, "designation, else name of the file", "name in the results"},
     {"ball_count", whole(3, 200), "value in the catalogue",
      "number of balls; they must fit on the pitch circle"},
@@ -42,11 +42,11 @@ constexpr Key keys_of_bearing[]{
     {"bore_mm", between(0, 5000, "mm"), "pitch diameter - 1.5 ball diameters",
      "bore of the inner ring; must be below pitch diameter - ball diameter"},
     {"outer_diameter_mm", between(1, 10000, "mm"), "pitch diameter + 1.5 ball diameters",
-     "outer diameter of the outer ring; must be above pitch diameter + ball diameter and at most "
-     "twice that sum"},
+     "outer diameter of the outer ring; must be above pitch diameter + ball diameter, and at most "
+     "twice this sum"},
     {"radial_clearance_um", between(0, 10000, "um"), 0.0,
-     "diametral clearance without load; it must be below the distance of the groove centres; only "
-     "for contact angle 0"},
+     "diametral clearance without load, for bearings with contact angle 0; must be below the "
+     "distance between the groove centres"},
     {"inner_shoulder_diameter_mm", between(0.1, 5000, "mm"), unset,
      "diameter at which the inner groove ends, between groove bottom and pitch diameter; without "
      "this key, the program does not check the distance from the contact ellipse to the shoulder"},

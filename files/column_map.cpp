@@ -22,8 +22,8 @@ using record::Channel;
 
 constexpr Key columns_keys[]{
     {"decimal_mark", one_of(".|,"), unset,
-     "decimal mark of the file; the other mark separates thousands. Required if the numbers are "
-     "ambiguous"},
+     "decimal mark of the file, point or comma; the other of these two marks separates thousands. "
+     "Required if the numbers are ambiguous"},
     {"date_order", one_of("day first|month first|year first"), unset,
      "order of day, month and year in dates with slashes, dashes or two-digit years. Required if "
      "the dates can be read in several orders that give different times between the rows"},
@@ -83,8 +83,8 @@ void read_unit(const Section& s, const toml::key& key, const std::string& text, 
   if (rule.excel_date) return;
   if (own) rule.unit = text::find_unit(text, own->dimension);
   if (rule.unit) return;
-  const std::string known =
-      own ? "must be " + text::listed_units(own->dimension) : "this quantity has no unit";
+  const std::string known = own ? "must be " + text::listed_units(own->dimension)
+                                : "this quantity has no unit; remove the unit";
   throw text::InputError(
       fmt::format("{}: [columns] {}: unit = \"{}\": {}{}", place_of(s, key).text(), key.str(), text,
                   known, *rule.channel == record::time ? ", or excel for Excel serial dates" : ""),

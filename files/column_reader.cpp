@@ -274,8 +274,8 @@ void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vecto
         (table_.is_numeric(source.column) || !text::has_zone(stamp(source, row)))) {
       shift += back ? hour : -hour;
       notes_.push_back(record::note::read_as(
-          fmt::format("line {}: the clock goes {} by one hour, {} of summer time: time_s continues "
-                      "without a jump",
+          fmt::format("line {}: the clock goes {} by one hour, at {} of summer time: time_s "
+                      "continues without a jump",
                       table_.line(row), back ? "back" : "forward",
                       back ? "the end" : "the beginning"),
           {.file = table_.source, .line = table_.line(row), .key = source.name}));

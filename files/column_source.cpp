@@ -89,7 +89,7 @@ const text::Unit* unit_by_name(const NamedChannel& named, const text::CsvTable& 
   const text::Unit* const below = own ? in_unit_row(table, column, *named.channel) : nullptr;
   if (below && below != ending)
     throw text::InputError(
-        fmt::format("{}: the name of column {} and its unit {} in the row of units do not agree; "
+        fmt::format("{}: column {}: its name and the row of units ({}) give different units; "
                     "correct one of them",
                     table.header_place().text(), table.header[column], below->words),
         table.header_place(table.header[column]));
@@ -205,8 +205,8 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
     if (const ColumnSource* const own = found.find(*rule.channel)) {
       if (!own->unit_stated && (rule.unit || rule.factor != 1.0))
         found.notes.push_back(
-            record::note::read_as(fmt::format("column {} is read by its name: {} does not apply, "
-                                              "because the file has no column \"{}\"",
+            record::note::read_as(fmt::format("column {} is read by its own name: the rule in {} "
+                                              "is not used, because the file has no column \"{}\"",
                                               own->name, rule.place.text(), rule.header),
                                   rule.place));
       continue;

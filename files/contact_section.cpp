@@ -24,8 +24,8 @@ const std::string words_of_oil =
 
 const Key contact_lubricant_keys[]{
     {"type", one_of(words_of_oil), "mineral",
-     "type of the oil, which determines the defaults of pressure-viscosity coefficient, density, "
-     "conductivity and limiting traction; for the law contact"},
+     "type of the oil, which determines the defaults of its pressure-viscosity coefficient, "
+     "density, thermal conductivity and limiting traction; for the law contact"},
     {"pressure_viscosity_1_GPa", between(3, 40, "1/GPa"), "from type and viscosity",
      "pressure-viscosity coefficient; for the law contact"},
     {"density_15C_kg_m3", between(600, 2000, "kg/m3"), usual_oil.density_15C,
@@ -52,9 +52,11 @@ const Key contact_friction_keys[]{
      "inlet"},
     // Zhou and Hoeprich's share of the asperities; their numbers belong to a surface.
     {"asperity_factor", between(0.1, 10), usual_contact.asperities.B,
-     "B in the load share of the asperities, exp(-B lambda^C)"},
+     "coefficient B in the load share of the asperities, exp(-B lambda^C), with the film ratio "
+     "lambda"},
     {"asperity_exponent", between(0.2, 5), usual_contact.asperities.C,
-     "C in the load share of the asperities, exp(-B lambda^C)"},
+     "exponent C in the load share of the asperities, exp(-B lambda^C), with the film ratio "
+     "lambda"},
 };
 
 constexpr model::LifeData usual_life;
@@ -63,7 +65,8 @@ constexpr Key life_keys[]{
      "dynamic load rating C"},
     {"fatigue_load_N", between(0.01, 1e8, "N"), "calculated by ISO 281 from the geometry",
      "fatigue load limit C_u"},
-    {"contamination", between(0, 1), usual_life.contamination, "e_C of ISO 281"},
+    {"contamination", between(0, 1), usual_life.contamination,
+     "contamination factor e_C of ISO 281"},
     {"reliability", between(90, 99.95, "%"), usual_life.reliability,
      "reliability for which the life is calculated"},
 };

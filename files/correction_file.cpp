@@ -53,8 +53,8 @@ constexpr Key correction_keys[]{
     {"kinematic", a_table, unset, "the table [correction.kinematic]"},
     {"effect", a_list, unset, "effects, tables [[correction.effect]]"},
     {"prior", a_table, unset,
-     "\"PARAMETER\" = { value, std }: value and uncertainty of a parameter that are known before "
-     "the next fit, [correction.prior]"},
+     "\"PARAMETER\" = { value, std }: expected value and standard uncertainty of a parameter "
+     "before the next fit, [correction.prior]"},
     {"range", a_table, unset,
      "COLUMN = [lowest, highest]: range of each input in the training data, [correction.range]"},
     {"still_s", a_table, unset,
@@ -69,8 +69,8 @@ constexpr Key correction_keys[]{
 constexpr Key correction_channel_keys[]{
     {"name", a_text, "name of the input", "name in the results"},
     {"input", a_text, is_required,
-     "input of the channel: a column, a list of columns (their mean is used), or \"power_W\" "
-     "(torque of a friction table times speed)"},
+     "input of the channel: a column, a list of columns (the program uses their mean), or "
+     "\"power_W\" (torque of a friction table times speed)"},
     {"exponent", between(0.5, 3.0), 1.0,
      "exponent for a speed n as input: n (n/1000 rpm)^(exponent - 1) drives the channel"},
     {"reference", a_text, unset,
@@ -85,10 +85,11 @@ constexpr Key correction_channel_keys[]{
      "the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
      "for \"power_W\": axial load for the friction table, a number or a column"},
-    {"radial_load_N", between(0, 1e8, "N"), "the value in the friction table, if it has only one",
+    {"radial_load_N", between(0, 1e8, "N"),
+     "value in the friction table, if the table has only one radial load",
      "for \"power_W\": radial load for the friction table, a number or a column"},
     {"temperature_C", between(-273, 500, "C"),
-     "the value in the friction table, if it has only one",
+     "value in the friction table, if the table has only one temperature",
      "for \"power_W\": temperature for the friction table, a number or a column"},
     {"gain", a_table, unset,
      "gain as a function of the input, instead of sections; for \"power_W\" or a column that is "
@@ -108,49 +109,52 @@ constexpr Key window_keys[]{
      "to, 1 between full_from and full_to, and linear between. [from, to] has sharp edges; -inf or "
      "inf: no edge on this side"},
     {"acts_on", one_of("displacement|input"), "displacement",
-     "quantity that is multiplied by the share: displacement (a body that acts only there) or "
-     "input (heat that arises only there)"},
+     "quantity that is multiplied by the share: displacement (for a body that acts only inside the "
+     "window) or input (for heat that arises only inside the window)"},
 };
 // Of an input in kelvin; the names of others end in their unit.
-constexpr Key feedthrough_keys[]{{"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
-                                  "displacement without lag, per unit of the input. The name ends "
-                                  "in this unit: um_K, um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
-constexpr Key section_gain_keys[]{{"gain_um_K", between(-most, most, "um/K"), is_required,
-                                   "steady displacement per unit of the input. The name ends in "
-                                   "this unit: um_K, um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
+constexpr Key feedthrough_keys[]{
+    {"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
+     "displacement without lag, per unit of the input. The name of the key ends in its unit: um_K, "
+     "um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
+constexpr Key section_gain_keys[]{
+    {"gain_um_K", between(-most, most, "um/K"), is_required,
+     "steady displacement per unit of the input. The name of the key ends in its unit: um_K, um_W, "
+     "um_m_min, um_rpm, um_A, um_mm ..."}};
 constexpr Key section_time_keys[]{
     {"time_constant_s", between(1e-3, most, "s"), is_required, "time constant of the lag"}};
 constexpr Key element_gain_keys[]{
     {"slope_um_W", between(-most, most, "um/W"), unset,
-     "slope of the gain against the input. The name ends in the unit of the input: slope_um_W, "
-     "slope_um_N ..."},
+     "slope of the gain against the input. The name of the key ends in the unit of the input: "
+     "slope_um_W, slope_um_N ..."},
     {"offset_um", between(-most, most, "um"), unset,
-     "gain at input 0, with slope_um_W or a similar key"},
+     "gain at an input of 0, together with the slope (slope_um_W or a similar key)"},
     {"factor", between(-most, most, "um"), unset,
      "factor in gain = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in gain = factor * x^exponent"},
     {"table", a_text, unset,
-     "CSV with gain_um and power_W, or the column of the input, in the folder of the model"},
+     "CSV in the folder of the model: gain_um against power_W, or against the column of the input"},
 };
 constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset,
-     "slope of the time constant against the input. The name ends in the unit of the input: "
-     "slope_min_W, slope_min_N ..."},
+     "slope of the time constant against the input. The name of the key ends in the unit of the "
+     "input: slope_min_W, slope_min_N ..."},
     {"offset_min", between(-most, most, "min"), unset,
-     "time constant at input 0, with slope_min_W or a similar key"},
+     "time constant at an input of 0, together with the slope (slope_min_W or a similar key)"},
     {"factor", between(-most, most, "min"), unset,
      "factor in time constant = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},
     {"table", a_text, unset,
-     "CSV with time_constant_min and power_W, or the column of the input, in the folder of the "
-     "model"},
+     "CSV in the folder of the model: time_constant_min against power_W, or against the column of "
+     "the input"},
 };
 
 constexpr Key kinematic_keys[]{
     {"A", between(-most, most, "um"), is_required,
      "coefficient A in u = A n^(1 - B exp(-C n)), n in rpm"},
-    {"B", between(-1, 2), is_required, "of u = A n^(1 - B exp(-C n))"},
-    {"C", between(0, 1, "1/rpm"), is_required, "of u = A n^(1 - B exp(-C n))"},
+    {"B", between(-1, 2), is_required, "coefficient B in u = A n^(1 - B exp(-C n)), n in rpm"},
+    {"C", between(0, 1, "1/rpm"), is_required,
+     "coefficient C in u = A n^(1 - B exp(-C n)), n in rpm"},
 };
 
 constexpr Key correction_effect_keys[]{
@@ -286,11 +290,13 @@ class CorrectionReader {
                               text::shown(*node)));
     for (const toml::node& one : *node->as_array()) {
       if (!one.is_string())
-        s.fail(key, fmt::format("{} = {}: must be columns in quotes", key, text::shown(*node)));
+        s.fail(key, fmt::format("{} = {}: each column of the list must be in quotes", key,
+                                text::shown(*node)));
       list.push_back(input_column(s, key, *one.value<std::string>()));
       if (list.back()->key_unit() != list.front()->key_unit())
-        s.fail(key, fmt::format("{}: {} and {} have different units, so they have no mean", key,
-                                list.front()->name, list.back()->name));
+        s.fail(key, fmt::format(
+                        "{}: {} and {} have different units, so the program cannot take their mean",
+                        key, list.front()->name, list.back()->name));
     }
     return list;
   }
@@ -403,9 +409,11 @@ class CorrectionReader {
     if (in.radial_load.column || (asked >= loads.front() && asked <= loads.back())) return;
     std::vector<std::string> known;
     for (const double load : loads) known.push_back(fmt::format("{:g}", load));
-    s.fail("radial_load_N",
-           fmt::format("radial_load_N = {:g} N is outside {}, which has the radial load{} {} N",
-                       asked, in.table->file, known.size() == 1 ? "" : "s", text::listed(known)));
+    s.fail(
+        "radial_load_N",
+        fmt::format(
+            "radial_load_N = {:g} N is outside the range of {}, which has the radial load{} {} N",
+            asked, in.table->file, known.size() == 1 ? "" : "s", text::listed(known)));
   }
 
   DrivenChannel channel(const Section& table, const Model& m) {
@@ -505,12 +513,13 @@ class CorrectionReader {
         characteristic(s, c.input, "time_constant", element_time_keys, minute),
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
-        fmt::format(
-            "channel {}: for {} of 0, the program uses the gain 0 and the time constant that the "
-            "law gives for this {}{}",
-            c.name, c.input.is_power() ? "a power" : "an input",
-            c.input.is_power() ? "power" : "input",
-            c.input.is_power() ? ": the source of this law gives no value for standstill" : ""),
+        fmt::format("channel {}: at {} of 0, the gain is 0, and the time constant is the value of "
+                    "the law at this {}{}",
+                    c.name, c.input.is_power() ? "a power" : "an input",
+                    c.input.is_power() ? "power" : "input",
+                    c.input.is_power()
+                        ? ": the publication of this law gives no value for standstill"
+                        : ""),
         {.key = c.name}));
   }
 

@@ -27,7 +27,7 @@ constexpr Key correction_together_keys[]{
      "largest distance of a row from the mean, in standard deviations"},
 };
 constexpr Key correction_residual_keys[]{
-    {"rms_um", between(0, 1e9, "um"), is_required, "RMS residual on held-out parts"},
+    {"rms_um", between(0, 1e9, "um"), is_required, "RMS residual on held-out parts of the record"},
     {"correlation_time_s", between(0, 1e12, "s"), unset, "correlation time of the residual"},
 };
 
@@ -40,7 +40,7 @@ constexpr Key correction_trust_keys[]{
     {"duration_s", between(0, 1e12, "s"), is_required,
      "duration of the readings in the longest run"},
     {"course", one_of("returns|one-way"), is_required,
-     "course of the readings; one-way: they go from one state to another only once"},
+     "course of the readings; one-way: the readings only rise once, or only fall once"},
     {"judged_by", one_of("held-out|other-record"), is_required,
      "source of the held-out readings: parts of the record, or another record (identify "
      "--validate)"},
@@ -99,7 +99,7 @@ std::string other_numbers(const fit::Covariance& c, const std::vector<std::strin
     const auto p = std::find_if(known.begin(), known.end(),
                                 [&](const auto& one) { return one.name == c.names[k]; });
     if (p == known.end() || p->unit != units[k])
-      return fmt::format("the model has no {} in {}", c.names[k], units[k]);
+      return fmt::format("the model has no parameter {} with the unit {}", c.names[k], units[k]);
     const double value = c.values[static_cast<Eigen::Index>(k)];
     if (!(std::abs(p->value - value) <= same * std::max(std::abs(p->value), std::abs(value))))
       return fmt::format(
@@ -119,8 +119,8 @@ void read_correction_covariance(const Section& s, Model& m, std::vector<std::str
   c.matrix = covariance_of(s, count);
   if (const std::string why = other_numbers(c, units, m); !why.empty()) {
     notes.push_back(
-        fmt::format("{}: [correction.covariance] is not used: {}. Results have no band; identify, "
-                    "calibrate or add calculate a new covariance",
+        fmt::format("{}: [correction.covariance] is not used: {}. Results have no error band; "
+                    "identify, calibrate or add calculate a new covariance",
                     m.displacement->name, why));
     m.left.reset();
     m.evidence.reset();

@@ -289,15 +289,14 @@ class Reader {
       }
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
-      throw text::InputError(
-          fmt::format(
-              "{}: no fall ends above minimum_speed_rpm = {:.6g} of [rig], so no row can be used",
-              table_.source, minimum),
-          {.file = table_.source, .key = std::string(record::speed.name)});
+      throw text::InputError(fmt::format("{}: no fall of the speed ends above minimum_speed_rpm = "
+                                         "{:.6g} of [rig], so no row can be used",
+                                         table_.source, minimum),
+                             {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
-      notes_.push_back(record::note::left_out(
-          fmt::format("{} of {} falls end below minimum_speed_rpm = {:.6g} and are not used",
-                      table_.rows() - fast.size(), table_.rows(), minimum)));
+      notes_.push_back(record::note::left_out(fmt::format(
+          "{} of {} falls of the speed end below minimum_speed_rpm = {:.6g} and are not used",
+          table_.rows() - fast.size(), table_.rows(), minimum)));
     const Record what = record().picked(fast);
     return torque([&](const model::Rig& of) { return rig::fall_torque(what, falls, of); });
   }
@@ -315,7 +314,7 @@ class Reader {
       result.notes.push_back(record::note::assumed(
           fmt::format(
               "inertia_kgm2 = \"unknown\": the program assumes {:.4g} kg m2, which gives the mean "
-              "torque of the unfitted model. Torques, f0, z and all sizes in N mm have an unknown "
+              "torque of the unfitted model. Torques, f0, z and all values in N mm have an unknown "
               "common factor; the record determines only the shape of the curve",
               assumed.inertia),
           {.key = "inertia_kgm2"}));

@@ -114,7 +114,7 @@ DisplacementCurve curve_of(text::CsvTable table, const ReadOptions& options) {
   bad.throw_if_any();
   if (without > 0)
     curve.notes.push_back(record::note::left_out(
-        fmt::format("{} of {} rows have no displacement (see their status) and are not used",
+        fmt::format("{} of {} rows have no displacement (see the column status) and are not used",
                     without, table.rows())));
   return curve;
 }

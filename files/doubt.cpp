@@ -43,11 +43,11 @@ std::vector<Read> read_again(const Source& source, ReadOptions options) {
 Doubt other_temperature(const record::Channel& channel, double from, double to,
                         std::string_view unit) {
   const text::Unit& other = *text::find_unit(unit, text::Dimension::temperature);
-  return {
-      .text = fmt::format("{} is {:.4g} to {:.4g} C: are the values in {} ({:.3g} to {:.3g} C)?",
-                          channel.name, from, to, unit == "K" ? "kelvin" : "fahrenheit",
-                          celsius(other.to_SI(from)), celsius(other.to_SI(to))),
-      .units = {{&channel, other.suffix}}};
+  return {.text = fmt::format(
+              "{} goes from {:.4g} to {:.4g} C: are the values in {} ({:.3g} to {:.3g} C)?",
+              channel.name, from, to, unit == "K" ? "kelvin" : "fahrenheit",
+              celsius(other.to_SI(from)), celsius(other.to_SI(to))),
+          .units = {{&channel, other.suffix}}};
 }
 
 record::Record in_other_unit(record::Record data, const record::Channel& channel,
@@ -85,7 +85,7 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
     else
       questions += fmt::format(
           "{}{}: {} If so, set the unit in [columns]: {}. If the values are right as they are, set "
-          "their present unit there.",
+          "their present unit in [columns].",
           questions.empty() ? "" : "\n", source.name, doubt.text, answers);
   }
   if (!questions.empty()) throw text::InputError(questions, place);

@@ -22,8 +22,8 @@ const Key control_keys[]{
     {"slew_urad_s", between(1e-6, 1e6, "urad/s"), usual_control.slew_um_s.all,
      "highest slew rate of an angle offset; for all angles, or for each displacement"},
     {"sign", between(-1, 1), usual_control.sign.all,
-     "1 or -1 in offset = sign * displacement; -1 moves the axis against the displacement; for all "
-     "axes, or for each displacement"},
+     "sign in offset = sign * displacement, 1 or -1; with -1, the axis moves against the "
+     "displacement; for all axes, or for each displacement"},
     {"unit", one_of("um|mm|counts"), usual_control.unit.all,
      "unit of the offset; counts are whole numbers; for all axes, or for each displacement"},
     {"count_um", between(1e-6, 1e6, "um"), usual_control.count_um.all,
@@ -33,16 +33,16 @@ const Key control_keys[]{
     {"count_urad", between(1e-6, 1e6, "urad"), usual_control.count_um.all,
      "size of one count of an angle offset; for all angles, or for each displacement"},
     {"axis", one_of("x|y|z|u|v|w|a|b|c"),
-     "LETTER in displacement_LETTER_um or displacement_LETTER_urad",
+     "the LETTER in the column displacement_LETTER_um or displacement_LETTER_urad",
      "LinuxCNC axis that the offset moves"},
     {"plausible", a_list,
-     "temperatures: [-40, 150]; other inputs: up to 10 times the largest amount in "
+     "temperatures: [-40, 150] C; other inputs: up to 10 times the largest amount in "
      "[correction.range]",
      "[lowest, highest] plausible value of an input in its unit; one pair for all temperatures, or "
      "{ COLUMN = [...] } for any input"},
     {"fastest_per_s", between(0, 1e9), usual_control.fastest_per_s.all,
-     "largest change of an input per second in its unit; 0: no limit; one number for all "
-     "temperatures, or { COLUMN = ... } for any input"},
+     "largest change of an input per second, in the unit of the input; 0: no limit; one number for "
+     "all temperatures, or { COLUMN = ... } for any input"},
     {"stuck_s", between(0, 1e9, "s"), usual_control.stuck_s.all,
      "longest time without a change of an input; 0: no limit; one number for all temperatures, or "
      "{ COLUMN = ... } for any input"},
@@ -56,7 +56,8 @@ const Key control_keys[]{
     {"hold_s", between(0, 1e6, "s"), usual_control.hold_s,
      "time for which the program uses the last good value of a faulty input"},
     {"fade_s", between(0.1, 1e6, "s"), usual_control.fade_s,
-     "time in which an offset fades after a lasting fault, and in which it returns"},
+     "time in which an offset fades after a lasting fault, and in which it returns after the "
+     "fault"},
     {"longest_gap_s", between(1e-3, 1e6, "s"), usual_control.longest_gap_s,
      "longest normal time between two calls; after a longer gap, offsets move at most as far as in "
      "this time, and the program raises an alarm"},
@@ -74,8 +75,8 @@ const Key control_keys[]{
      "offsets when the correction is disabled: zero (go to 0 at their slew rate) or freeze (keep "
      "their values)"},
     {"beyond_range", one_of("linear|hold"), usual_control.beyond_range,
-     "inputs of the sections outside [correction.range]: linear (extrapolate) or hold (use the "
-     "value at the edge; parts of the correction without lag always use this value)"},
+     "treatment of section inputs outside [correction.range]: linear (extrapolate) or hold (use "
+     "the value at the edge; parts of the correction without lag always use this value)"},
 };
 
 class ExportReader {

@@ -74,7 +74,8 @@ void fail_formula(const Section& s, const std::string& key, const std::string& i
 FormulaNumber read_formula_number(const Section& s, const std::string& id, const std::string& name,
                                   const toml::node& node, const Names& taken) {
   if (std::find(taken.begin(), taken.end(), name) != taken.end())
-    s.fail(name, fmt::format("{}: a variable has this name; choose another name", name));
+    s.fail(name,
+           fmt::format("{}: a variable of formulas has this name; choose another name", name));
   if (!valid_name(name))
     s.fail(name,
            fmt::format("{}: must consist of letters, digits and _, and must not begin with a digit",

@@ -215,7 +215,7 @@ std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tabl
     if (!has)
       tables.note_default(
           "friction", column, "all",
-          fmt::format("{} has no such column, so the torque of the table applies at all values",
+          fmt::format("{} has no such column, so its torques apply at all values of this quantity",
                       *file));
   return std::make_shared<const friction::TorqueTable>(std::move(table));
 }

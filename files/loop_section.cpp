@@ -17,7 +17,7 @@ namespace raceway::files {
 namespace {
 
 constexpr Key calibration_keys[]{
-    {"free", a_list, "usual parameters of the law",
+    {"free", a_list, "usual free parameters of the law",
      "parameters to fit: parameters of the law, preload_N, inner_conformity, outer_conformity, "
      "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; for a correction: its parameters or groups "
      "of parameters"},
@@ -25,13 +25,13 @@ constexpr Key calibration_keys[]{
 };
 constexpr Key loop_keys[]{
     {"tolerance_Nmm", between(0, 1e9, "Nmm"), unset,
-     "largest error of the friction torque that you accept; above 0"},
+     "largest RMS error of the friction torque that you accept; above 0"},
     {"tolerance_um", between(0, 1e9, "um"), unset,
-     "largest error of the displacement that you accept; above 0"},
+     "largest RMS error of the displacement that you accept; above 0"},
     {"tolerance_urad", between(0, 1e9, "urad"), unset,
-     "for corrections: largest error of an angle that you accept; above 0"},
+     "for corrections: largest RMS error of an angle that you accept; above 0"},
     {"tolerance_K", between(0, 1e9, "K"), unset,
-     "for spindles: largest error of a temperature that you accept; above 0"},
+     "for spindles: largest RMS error of a temperature that you accept; above 0"},
 };
 
 /// Full names by every name that a parameter may be called: that of an effect is "id.name", and
@@ -52,8 +52,8 @@ std::multimap<std::string, std::string> full_names(const model::Model& model) {
 std::string no_start_of(const model::Model& model, const std::string& name) {
   if (!model.spindle) return {};
   if (name == "outer_conductance_W_m2K")
-    return "the model has no such value, because it calculates the conductance from the fit; "
-           "give a start value under [seat]";
+    return "the model has no such value, because it calculates this conductance from the fit of "
+           "the rings in the housing; give a start value under [seat]";
   for (const model::Circuit& circuit : model.spindle->circuits)
     if (name == circuit.name + ".inlet_temperature_C")
       return "this circuit uses the inlet temperature of [coolant]; give a start value under its "
@@ -146,7 +146,7 @@ class CovarianceReader {
                                   [&](const auto& one) { return one.name == names[k]; });
       if (list->get(k)->value<std::string>() != p->unit)
         throw text::InputError(
-            fmt::format("{}: units = {}: {} is in \"{}\"", s_.place(list->get(k)),
+            fmt::format("{}: units = {}: the unit of {} must be \"{}\"", s_.place(list->get(k)),
                         text::shown(*list->get(k)), names[k], p->unit),
             s_.at("units", list->get(k)));
     }

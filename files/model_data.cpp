@@ -258,9 +258,10 @@ std::size_t ModelData::find(std::string_view name) const {
   }
   std::vector<std::string> all;
   for (const std::size_t k : same_key) all.push_back(names[k]);
-  throw text::InputError(fmt::format("{}: {} has several numbers of this name: {}", name,
-                                     tables_->source, text::listed(all)),
-                         {.file = tables_->source, .key = key});
+  throw text::InputError(
+      fmt::format("{}: {} has several numbers of this name; name one of these: {}", name,
+                  tables_->source, text::listed(all)),
+      {.file = tables_->source, .key = key});
 }
 
 ModelFile ModelData::with(std::span<const std::pair<std::size_t, double>> changes) const {

@@ -225,8 +225,8 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
   model.covariance = read_covariance(tables, model);
   if (model.covariance)
     if (const std::string other = other_values(*model.covariance, model); !other.empty()) {
-      notes.push_back(other +
-                      ", so results have no band; raceway calibrate calculates a new covariance");
+      notes.push_back(
+          other + ", so results have no error band; raceway calibrate calculates a new covariance");
       model.covariance.reset();
     }
   return {.model = std::move(read.model),

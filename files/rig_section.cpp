@@ -19,7 +19,8 @@ constexpr Key rig_keys[]{
      "radial load of one bearing, for records without this column"},
     {"temperature_C", between(-273, 500, "C"), celsius(usual_rig.temperature),
      "lubricant temperature, for records without this column"},
-    {"room_temperature_C", between(-273, 500, "C"), "coldest row (diagnose and add)",
+    {"room_temperature_C", between(-273, 500, "C"),
+     "temperature of the coldest row (for diagnose and add)",
      "room temperature, for the effect temperature-gain"},
     {"minimum_speed_rpm", between(0, 1e6, "rpm"), usual_rig.minimum_speed / rpm,
      "lowest speed of the coast-down rows that the program uses; a note gives the number of slower "
@@ -33,7 +34,8 @@ constexpr Key race_control_keys[]{
 };
 constexpr Key tilt_keys[]{
     {"tilt", one_of("locked|free"), "locked",
-     "tilt of the inner ring: locked, or free: the balls then carry the given moments (default 0)"},
+     "tilt of the inner ring: locked, or free (the balls then carry the given moments, by default "
+     "0)"},
 };
 
 /// The number, or the word for one that nobody knows.

@@ -206,7 +206,8 @@ class SeriesReader {
     append(list, notes_of(record::note::filled_in, constants_));
     append(list, notes_of(record::note::unused, unknown_));
     if (!unused_.empty())
-      list.push_back(record::note::unused("not predicted by the model: " + text::listed(unused_)));
+      list.push_back(record::note::unused("not used, because the model does not predict it: " +
+                                          text::listed(unused_)));
     return list;
   }
 
@@ -248,9 +249,10 @@ void note_gaps(Record& result) {
                     result.settings_hold == record::SettingsHold::until_row
                         ? "the settings of the next row apply"
                         : "temperatures are interpolated, and settings keep their value") +
-            (longest > an_hour ? ". If the machine ran during the gap, give the rows after it "
-                                 "another run_id; a new run starts from rest with a new zero"
-                               : ""),
+            (longest > an_hour
+                 ? ". If the machine ran during the gap, give the rows after it another run_id; a "
+                   "new run starts from rest, with a new zero of the displacement"
+                 : ""),
         {.line = result.line(first)}));
 }
 
@@ -333,7 +335,8 @@ void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
           fmt::format(
               "{} has no reading for more than {}, {}: {}", channel->name,
               length_text(filled.longest), rows_text(record, filled.far),
-              breaks ? "the record has a gap there, and the readings in this gap are not used"
+              breaks ? "the program treats these rows as a gap of the record and does not use "
+                       "their readings"
                      : "the values are interpolated, because the model does not use this column"),
           place));
       for (const std::size_t row : filled.far) broken[row] = broken[row] || breaks;
@@ -380,7 +383,8 @@ void take_offsets_off(Record& record, const std::function<bool(const Channel&)>&
   }
   if (!lone.empty())
     record.notes.push_back(record::note::unused(
-        fmt::format("{}: the record has no displacement for this offset", text::listed(lone))));
+        fmt::format("{}: not used, because the record has no displacement for this offset",
+                    text::listed(lone))));
   std::erase_if(record.columns,
                 [](const record::Column& c) { return c.channel->kind == record::offset_kind; });
 }
@@ -525,11 +529,11 @@ class SeriesOfFiles {
       begin = std::max(begin, part.values(record::time).front());
       const double last = part.values(record::time).back();
       if (last < times_.back() && is_log_of_changes(part))
-        record.notes.push_back(record::note::filled_in(
-            fmt::format(
-                "{} has a row for each change: its last row, at {:.6g} s, applies to the end",
-                part.source, last),
-            {.file = part.source, .key = "time_s"}));
+        record.notes.push_back(
+            record::note::filled_in(fmt::format("{} has a row for each change: its last row, at "
+                                                "{:.6g} s, applies to the end of the record",
+                                                part.source, last),
+                                    {.file = part.source, .key = "time_s"}));
       else
         end = std::min(end, last);
     }
@@ -537,14 +541,16 @@ class SeriesOfFiles {
     for (std::size_t row = 0; row < times_.size(); ++row)
       if (times_[row] >= begin && times_[row] <= end) rows.push_back(row);
     if (rows.empty())
-      throw text::InputError(fmt::format("{} have no time in common", text::listed(names())),
+      throw text::InputError(fmt::format("{} have no time in common, so they cannot be joined; "
+                                         "check their dates and units of time",
+                                         text::listed(names())),
                              {.file = record.source, .key = "time_s"});
     if (rows.size() == record.rows()) return record;
-    record.notes.push_back(
-        record::note::left_out(fmt::format("{} rows before {:.6g} s or after {:.6g} s are not "
-                                           "used, because one of these files has no rows there",
-                                           record.rows() - rows.size(), begin, end),
-                               {.file = record.source}));
+    record.notes.push_back(record::note::left_out(
+        fmt::format("{} rows before {:.6g} s or after {:.6g} s are not used, because one of these "
+                    "files does not cover this time",
+                    record.rows() - rows.size(), begin, end),
+        {.file = record.source}));
     return record.picked(rows);
   }
 

@@ -49,7 +49,8 @@ const Key arrangement_keys[]{
     {"rear", whole(0, 20), "from the layout",
      "number of bearings in the rear set (tandem: 0); required unless the layout gives it"},
     {"mounting", one_of("rigid|spring"), "rigid", "preload of the sets: rigid (spacers) or spring"},
-    {"spring_rate_N_um", between(0, 1e6, "N/um"), 0.0, "spring rate; 0: constant force"},
+    {"spring_rate_N_um", between(0, 1e6, "N/um"), 0.0,
+     "rate of the preload spring; 0: constant force"},
     {"preload_N", between(0.001, 1e8, "N"), unset,
      "preload at standstill, sum over the bearings of one set; give one of preload_N, "
      "preload_offset_um and preload_class"},
@@ -100,8 +101,9 @@ constexpr Key positions_keys[]{
 };
 constexpr Key mounted_bearing_keys[]{
     {"offset_um", between(-1000, 1000, "um"), 0.0,
-     "additional axial displacement of one bearing relative to its set; also a key of "
-     "[arrangement.rear_bearing]. Both tables also have all keys of [bearing]"}};
+     "additional axial displacement of one bearing relative to its set. "
+     "[arrangement.front_bearing] and [arrangement.rear_bearing] have this key and all keys of "
+     "[bearing]"}};
 
 constexpr std::string_view front_position = positions_keys[0].name;
 constexpr std::string_view rear_position = positions_keys[1].name;
@@ -164,9 +166,9 @@ class ShaftReader {
       const int front = static_cast<int>(s_.number("front").value_or(set_.front));
       const int rear = static_cast<int>(s_.number("rear").value_or(set_.rear));
       if (std::minmax(front, rear) != std::minmax(set_.front, set_.rear))
-        s_.fail(key,
-                fmt::format("front = {}, rear = {}: layout = \"{}\" has sets of {} and {} bearings",
-                            front, rear, set_.name, set_.front, set_.rear));
+        s_.fail(key, fmt::format("front = {}, rear = {}: layout = \"{}\" has sets of {} and {} "
+                                 "bearings; correct front, rear or layout",
+                                 front, rear, set_.name, set_.front, set_.rear));
       if (!value) in_.note_default(key, fmt::format("{}", named));
       return value ? value : std::optional(named);
     }
@@ -232,8 +234,10 @@ class ShaftReader {
       set.push_back({share(bearing), shift});
     }
     if (set.size() != static_cast<std::size_t>(bearings))
-      s_.fail(key,
-              fmt::format("[[{}]] stands {} times, but {} = {}", name, set.size(), side, bearings));
+      s_.fail(
+          key,
+          fmt::format("the model has [[{}]] {} times, but {} = {}; give one table for each bearing",
+                      name, set.size(), side, bearings));
     return set;
   }
 

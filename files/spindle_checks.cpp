@@ -181,7 +181,7 @@ class SpindleCheck {
       if (diameter < bore - other_size)
         notes_.push_back(
             fmt::format("a part of the shaft under the bearing at {} has diameter_mm = {}: the "
-                        "ring has no contact there",
+                        "ring does not touch this part",
                         in_mm(at), in_mm(diameter)));
     }
   }
@@ -193,14 +193,14 @@ class SpindleCheck {
                                   in_mm(rings_[k].width), housing_reach()));
     const Segment& around = *housing_.at(at);
     if (around.diameter <= outer)
-      fail_bearing(k, fmt::format("the housing has outer_diameter_mm = {} there, but the bearing "
-                                  "has {}, so the housing has no wall",
+      fail_bearing(k, fmt::format("at this position, the housing has outer_diameter_mm = {} and "
+                                  "the bearing has {}, so the housing has no wall",
                                   in_mm(around.diameter), in_mm(outer)));
     // Where a piece leaves it open, it is bored to the bearings of the sets.
     const double bore = std::isnan(around.bore) ? rings_.front().outer_diameter : around.bore;
     if (std::abs(bore - outer) > other_size)
-      fail_bearing(k, fmt::format("the housing has bore_mm = {} there, but the bearing has "
-                                  "outer_diameter_mm = {}",
+      fail_bearing(k, fmt::format("at this position, the housing has bore_mm = {}, but the bearing "
+                                  "has outer_diameter_mm = {}",
                                   in_mm(bore), in_mm(outer)));
   }
 
@@ -402,7 +402,7 @@ class SpindleCheck {
   static void require_radius(const Section& s, double radius, double from, double to,
                              std::string_view what) {
     if (radius < from - rounding || radius > to + rounding)
-      s.fail("radius_mm", fmt::format("radius_mm = {}: {} reaches from {} to {} there",
+      s.fail("radius_mm", fmt::format("radius_mm = {}: at this position, {} reaches from {} to {}",
                                       in_mm(radius), what, in_mm(from), in_mm(to)));
   }
 

@@ -36,7 +36,7 @@ constexpr std::array surroundings{std::string_view("ambient"), std::string_view(
 std::size_t node_of(Network& network, const Section& s, const char* key,
                     const model::Ambient& ambient) {
   const auto name = s.text(key);
-  if (!name) s.fail(key, fmt::format("[network.link] {} is missing: the name of a node", key));
+  if (!name) s.fail(key, fmt::format("[network.link] {} is missing: give the name of a node", key));
   Names known;
   for (std::size_t k = 0; k < network.nodes.size(); ++k) {
     if (network.nodes[k].name == *name) return k;

@@ -18,8 +18,8 @@ const model::Spindle usual_spindle;
 constexpr Key own_spindle_keys[]{
     {"name", a_text, "name of the bearing", "name in the results"},
     {"preload_feedback", a_flag, "true",
-     "preload used for the friction; true: forces of the bearing sets in the warm spindle, false: "
-     "in the cold spindle at the same speed"},
+     "preload for the calculation of the friction; true: forces of the bearing sets in the warm "
+     "spindle, false: forces in the cold spindle at the same speed"},
 };
 // In tables that other models have too.
 const Key spindle_bearing_keys[]{

@@ -67,7 +67,7 @@ std::optional<FoundLoadColumn> find_load_column(const text::CsvTable& table,
 FoundLoadColumn require_load_column(const text::CsvTable& table, const LoadColumn& wanted) {
   if (const auto found = find_load_column(table, wanted)) return *found;
   throw text::InputError(
-      fmt::format("{}:{}: column {} is missing{}; load cases have load_case, time_s, "
+      fmt::format("{}:{}: column {} is missing{}; a file of load cases needs load_case, time_s, "
                   "axial_displacement_um and power_W or speed_rpm; the header has {}",
                   table.source, table.header_line, wanted.name,
                   text::suggestion(wanted.name, table.header), text::listed(table.header)),

@@ -54,7 +54,8 @@ std::string plain_table_text(const friction::StribeckTable& table) {
 std::string modelica_table_text(const friction::StribeckTable& table, std::string_view title) {
   if (table.slab.count != 1)
     throw text::InputError(
-        "a Modelica table needs the whole table, not a slab: join the slabs first");
+        "a Modelica table needs the whole table, not a slab: first join the slabs with raceway "
+        "table --merge");
   const friction::TableAxes& axes = table.axes;
   const bool one = axes.radial_load.size() == 1 && axes.temperature.size() == 1;
   const bool curve = axes.axial_load.size() == 1;

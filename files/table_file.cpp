@@ -106,7 +106,9 @@ SlabFile slab_file(const SlabText& file) {
 /// What makes b a slab of another table than a; empty if nothing.
 std::string stranger(const SlabFile& a, const SlabFile& b) {
   if (a.count != b.count)
-    return fmt::format("one belongs to {} slabs, the other to {}", a.count, b.count);
+    return fmt::format(
+        "the first belongs to a table of {} slabs, the second to a table of {} slabs", a.count,
+        b.count);
   if (a.of != b.of || a.grid != b.grid) return "they have different speeds, loads or temperatures";
   if (a.head != b.head)
     return "they come from different models or versions, or have different columns";
@@ -147,8 +149,8 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
                                        first.count - files.size(), first.count, next, first.count));
   if (points != first.of)
     throw text::InputError(
-        fmt::format("{}: the slabs have {} points in total, but the table has {}", first.name,
-                    points, first.of),
+        fmt::format("{}: the slabs have {} points in total, but the table has {} points",
+                    first.name, points, first.of),
         {.file = first.name});
   std::string text;
   text.reserve(size);

@@ -42,7 +42,7 @@ Column& Record::set(const Channel& channel, std::vector<double> values) {
   Column* const known = find(channel);
   const bool only = columns.empty() || (known && columns.size() == 1);
   if (!only && values.size() != rows())
-    throw std::invalid_argument(std::string(channel.name) + ": a column of " +
+    throw std::invalid_argument(std::string(channel.name) + ": a column with " +
                                 std::to_string(values.size()) + " values in a record of " +
                                 std::to_string(rows()) + " rows");
   if (known) {

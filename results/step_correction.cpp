@@ -82,12 +82,13 @@ correction::DelayElement step_element(const std::vector<LagAt>& points, double a
   if (form == StepLaw::power) {
     if (std::isnan(laws.gain_power.exponent))
       throw std::invalid_argument(
-          "a power law needs gains of the same sign at two powers or loads above 0; use the curve");
+          "a power law needs gains of the same sign at two powers or loads above 0; use the law "
+          "\"curve\"");
     return {Characteristic::Power{laws.gain_power.factor, laws.gain_power.exponent},
             Characteristic::Power{laws.time_power.factor, laws.time_power.exponent}};
   }
   if (std::isnan(laws.gain_line.slope))
-    throw std::invalid_argument("a line needs two powers or loads; use the curve");
+    throw std::invalid_argument("a line needs two powers or loads; use the law \"curve\"");
   return {Characteristic::Line{laws.gain_line.slope, laws.gain_line.offset},
           Characteristic::Line{laws.time_line.slope, laws.time_line.offset}};
 }

@@ -88,7 +88,7 @@ record::Record trial_programme(double fastest) {
 std::string superposition_text(const Superposition& s) {
   constexpr double one_hour = 3600.0;
   return fmt::format(
-      "{:.3g} um rms, {:.3g} um at most (after {:.2f} h); the displacement varies by {:.3g} um",
+      "RMS {:.3g} um, largest {:.3g} um (after {:.2f} h); the displacement varies by {:.3g} um",
       s.rms / um, s.largest / um, s.time_of_largest / one_hour, (s.highest - s.lowest) / um);
 }
 

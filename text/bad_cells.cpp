@@ -28,7 +28,7 @@ void BadCells::throw_if_any() const {
   for (const BadCell& cell : first_)
     text += fmt::format("{}{}:{}: {}", text.empty() ? "" : "\n", source_, cell.line, cell.text);
   if (count_ > shown)
-    text += fmt::format("\n{}: {} more invalid values are not shown", source_, count_ - shown);
+    text += fmt::format("\n{}: number of further invalid values: {}", source_, count_ - shown);
   if (count_ > 1)
     text += fmt::format("\n{}: {} invalid values in {} rows; correct or remove them", source_,
                         count_, rows_);

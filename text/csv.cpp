@@ -180,8 +180,8 @@ CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
   const std::size_t rows = columns.empty() ? 0 : length(columns.front());
   for (const DataColumn& column : columns) {
     if (length(column) != rows)
-      throw InputError(fmt::format("{}: column {} has {} values, but {} has {}", table.source,
-                                   printable(column.name), length(column),
+      throw InputError(fmt::format("{}: column {} has {} values, but column {} has {}",
+                                   table.source, printable(column.name), length(column),
                                    printable(columns.front().name), rows),
                        {.file = table.source, .key = printable(column.name)});
     if (column.name.empty())

@@ -240,7 +240,8 @@ void CsvParser::take_units(std::vector<CellSpan>& cells, int line) {
     if (find_unit(here) && find_unit(here) == find_unit(unit)) continue;
     if (!unit.empty())
       throw InputError(
-          fmt::format("{}: {} is in {} here, but in {} above; use one unit in a column",
+          fmt::format("{}: the unit of {} is {} in this row, but {} in the rows above; use one "
+                      "unit in a column",
                       place(line).text(), table_.header[named - 1], printable(here), unit),
           place(line));
     unit = here;
@@ -308,7 +309,8 @@ bool CsvParser::is_unit_row_again(int line) const {
     if (here == above || (find_unit(here) && find_unit(here) == find_unit(above))) continue;
     if (!find_unit(here) && !find_unit(above)) return false;
     throw InputError(
-        fmt::format("{}: {} is in {} here, but in {} above; use one unit in a column",
+        fmt::format("{}: the unit of {} is {} in this row, but {} in the rows above; use one unit "
+                    "in a column",
                     place(line).text(), k < table_.header.size() ? table_.header[k] : "",
                     quoted(here), quoted(above)),
         place(line));

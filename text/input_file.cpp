@@ -23,7 +23,8 @@ namespace raceway::text {
 namespace {
 
 constexpr std::size_t longest_input = 4'000'000'000;
-constexpr const char* too_long = "the file is larger than 4 GB, the largest size that is read";
+constexpr const char* too_long =
+    "the file is larger than 4 GB, the largest size that the program reads";
 
 }  // namespace
 

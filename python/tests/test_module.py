@@ -412,7 +412,7 @@ def test_cells_without_a_number_are_named_by_their_row(model):
         assert e.value.line == 3
         dropped = raceway.Record.from_arrays({**given, "friction_torque_Nmm": torque}, name="mine", drop_nan=True)
         assert len(model.predict(dropped)) == 2
-    with pytest.raises(raceway.InputError, match="column b has 2 values, but a has 1"):
+    with pytest.raises(raceway.InputError, match="column b has 2 values, but column a has 1"):
         _engine.Data("mine", columns={"a": numpy.zeros(1), "b": numpy.zeros(2)})
     with pytest.raises(raceway.InputError, match="the arrays must have equal lengths"):
         raceway.Record.from_arrays({"speed_rpm": [1.0], "friction_torque_Nmm": [1.0, 2.0]})

@@ -177,8 +177,9 @@ TEST_F(HostileInput, InputWithoutEndIsGivenUp) {
     expect_refused(run_shell("timeout 60 " + line),
                    ": the file contains NUL bytes, so it is not a text file");
   const std::string large = scratch_.file("large.csv");
-  expect_refused(run_shell("truncate -s 5G " + large + "; timeout 60 $raceway fit-law " + large),
-                 "large.csv: the file is larger than 4 GB, the largest size that is read\n");
+  expect_refused(
+      run_shell("truncate -s 5G " + large + "; timeout 60 $raceway fit-law " + large),
+      "large.csv: the file is larger than 4 GB, the largest size that the program reads\n");
   const std::string model = scratch_.write("big.toml", std::string(11'000'000, '\n'));
   expect_refused(run("solve " + model + " --speed 1"),
                  "big.toml: the file has 11 MB; a model has at most 10 MB");

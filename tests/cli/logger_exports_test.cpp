@@ -195,7 +195,7 @@ TEST(LoggerExports, UnitsOfARecordOfASpindleAreAskedAboutBeforeAnyResult) {
                         "\"speed_rpm\", unit = \"{}\" }}",
                         words, unit));
   refused(shaft_end, 1.8, 32.0,
-          "shaft_end_temperature_C is 67.84 to 102.6 C: are the values in fahrenheit");
+          "shaft_end_temperature_C goes from 67.84 to 102.6 C: are the values in fahrenheit");
 }
 
 /// The rows from 20:11:33 on the given day, the stamp made by `stamp` of the seconds since
@@ -371,7 +371,7 @@ TEST(LoggerExports, UnitsInCellsAreRead) {
   expect_truth(with_units.file, "--columns " + map);
   // A name that says another unit than the cells is refused.
   expect_refused(run("check " + record_model + " " + with_units.file),
-                 "in the row of units do not agree; correct one of them");
+                 "give different units; correct one of them");
 }
 
 /// A clock of local time, rows as they come.
@@ -424,10 +424,8 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
   EXPECT_THAT(checked.err, HasSubstr("are joined into one record of"));
   EXPECT_THAT(checked.err,
               HasSubstr("have no speed_rpm: the last value is used until the next one"));
-  EXPECT_THAT(
-      checked.err,
-      HasSubstr(
-          "speed.csv has a row for each change: its last row, at 41460 s, applies to the end"));
+  EXPECT_THAT(checked.err, HasSubstr("speed.csv has a row for each change: its last row, at 41460 "
+                                     "s, applies to the end of the record"));
   expect_refused(
       run("check " + record_model + " " + temperatures.file + " --beside " + temperatures.file),
       "is also in another of these files; keep one column");
@@ -443,7 +441,7 @@ TEST(LoggerExports, AFileBesideThatSamplesEndsWithItsLastRow) {
   const Result checked = run("check " + record_model + " " + rest.file + " --beside " +
                              rest.folder.write("speed.csv", speeds));
   EXPECT_THAT(checked.err,
-              HasSubstr("s are not used, because one of these files has no rows there"));
+              HasSubstr("s are not used, because one of these files does not cover this time"));
   EXPECT_THAT(checked.err, Not(HasSubstr("s, applies to the end")));
 }
 
@@ -508,9 +506,11 @@ TEST(LoggerExports, ALongGapOfASensorBreaksTheRecord) {
   });
   const Result found = run("identify " + record_model + " " + gap.file);
   EXPECT_EQ(found.status, 0) << found.err;
-  EXPECT_THAT(found.err,
-              HasSubstr("room_temperature_C has no reading for more than 10 min, line 402 to 461: "
-                        "the record has a gap there, and the readings in this gap are not used"));
+  EXPECT_THAT(
+      found.err,
+      HasSubstr(
+          "room_temperature_C has no reading for more than 10 min, line 402 to 461: "
+          "the program treats these rows as a gap of the record and does not use their readings"));
   expect_truth(gap.file, "", true);
 }
 

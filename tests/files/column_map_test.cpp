@@ -64,8 +64,8 @@ TEST(ColumnUnits, ARowOfUnitsMustNotContradictTheName) {
   const std::string names = "speed_rpm;friction_torque_Nmm\n";
   EXPECT_EQ(read(names + "1/min;N mm\n1;2\n").rows(), 1u);
   EXPECT_EQ(map_error(names + "1/min;Nm\n1;2\n", "[columns]\n"),
-            "d.csv:1: the name of column friction_torque_Nmm and its unit N m in the row of units "
-            "do not agree; correct one of them");
+            "d.csv:1: column friction_torque_Nmm: its name and the row of units (N m) give "
+            "different units; correct one of them");
 }
 
 TEST(ColumnMap, TakesTheirColumnsForOurs) {

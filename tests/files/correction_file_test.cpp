@@ -122,10 +122,9 @@ TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {
   EXPECT_THAT([&] { (void)torque(table, ""); },
               refused("radial_load_N is missing, at which the friction table is read: give a "
                       "number or a column"));
-  EXPECT_THAT(
-      [&] { (void)torque(table, "radial_load_N = 2001\n"); },
-      refused(
-          "radial_load_N = 2001 N is outside t.csv, which has the radial loads 0, 500 and 2000 N"));
+  EXPECT_THAT([&] { (void)torque(table, "radial_load_N = 2001\n"); },
+              refused("radial_load_N = 2001 N is outside the range of t.csv, which has the radial "
+                      "loads 0, 500 and 2000 N"));
   const std::string without = "speed_rpm,friction_torque_Nmm\n0,10\n1000,20\n";
   EXPECT_NEAR(torque(without, ""), 20, 1e-9);
   EXPECT_THAT([&] { (void)torque(without, "radial_load_N = 5\n"); }, refused("N is outside"));
@@ -445,7 +444,8 @@ TEST(SeriesFile, AnOffsetThatTheControlAddedIsTakenOff) {
   EXPECT_THAT(
       texts(r.notes),
       Contains("the offset of the control, offset_z_um, is subtracted from displacement_z_um"));
-  EXPECT_THAT(texts(r.notes), Contains(HasSubstr("offset_y_um: the record has no displacement")));
+  EXPECT_THAT(texts(r.notes),
+              Contains(HasSubstr("offset_y_um: not used, because the record has no displacement")));
   EXPECT_DOUBLE_EQ(
       read("[columns]\noffset_z_um = { column = \"offset_z_um\", factor = -1 }\n").values(z)[1],
       -1e-6);
@@ -469,9 +469,10 @@ TEST(SeriesFile, RowsWithoutAnInputAreLeftOutOrBreakTheRecord) {
   EXPECT_DOUBLE_EQ(r.value(front, 3), kelvin(20.0 + 2.0 * 340.0 / 740.0));
   EXPECT_THAT(r.values(z),
               ElementsAre(DoubleEq(1e-6), DoubleEq(1e-6), DoubleEq(1e-6), IsNan(), DoubleEq(1e-6)));
-  EXPECT_THAT(texts(r.notes),
-              Contains("front_temperature_C has no reading for more than 5 min, line 5: the record "
-                       "has a gap there, and the readings in this gap are not used"));
+  EXPECT_THAT(
+      texts(r.notes),
+      Contains("front_temperature_C has no reading for more than 5 min, line 5: the program treats "
+               "these rows as a gap of the record and does not use their readings"));
   // A column that the model does not ask for is left out.
   r = series(gap);
   EXPECT_FALSE(r.has(front));

@@ -218,7 +218,7 @@ TEST(DataFile, OfManyBadCellsTenAreShownAndAllCounted) {
   const std::string error = data_error(text);
   EXPECT_THAT(error, HasSubstr("d.csv:11: "));
   EXPECT_THAT(error, Not(HasSubstr("d.csv:12: ")));
-  EXPECT_THAT(error, HasSubstr("20 more invalid values"));
+  EXPECT_THAT(error, HasSubstr("number of further invalid values: 20"));
   EXPECT_THAT(error, HasSubstr("30 invalid values in 30 rows"));
 }
 
@@ -402,8 +402,9 @@ TEST(DataFile, TimesBetweenTwoSpeedsAreReadAsExcelWritesThem) {
       "a;1000,0;900,0;10,5;0,1;250\r\na;900,0;800,0;12,5;0,1;250\r\na;50;30;9;0,1;250\r\n",
       flywheel());
   EXPECT_THAT(texts(r.notes), Contains("read with semicolons, decimal commas and CRLF line ends"));
-  EXPECT_THAT(texts(r.notes),
-              Contains("1 of 3 falls end below minimum_speed_rpm = 40 and are not used"));
+  EXPECT_THAT(
+      texts(r.notes),
+      Contains("1 of 3 falls of the speed end below minimum_speed_rpm = 40 and are not used"));
   ASSERT_EQ(r.rows(), 2u);
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.85 * 100 * rpm / 10.5);
   EXPECT_NEAR(r.value(record::torque_deviation, 1),
@@ -432,7 +433,8 @@ TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
   EXPECT_THAT(error("speed_from_rpm,speed_to_rpm", "900,800"),
               StartsWith("d.csv:1: column time_s is missing"));
   EXPECT_EQ(error(header, "30,20,5"),
-            "d.csv: no fall ends above minimum_speed_rpm = 40 of [rig], so no row can be used");
+            "d.csv: no fall of the speed ends above minimum_speed_rpm = 40 of [rig], so no row can "
+            "be used");
   EXPECT_THAT(data_error(falls()), HasSubstr("the model needs inertia_kgm2 under [rig]"));
 }
 

@@ -366,7 +366,7 @@ TEST(ModelFile, AWrongFormulaIsShownWithItsPlace) {
   EXPECT_THAT(with("lower = 0.0", "lower = 1.0"), HasSubstr("value = 0.5 N mm: must be from 1"));
   EXPECT_THAT(with("value = 0.5, ", ""), HasSubstr("value is missing"));
   EXPECT_THAT(with("unit", "units"), HasSubstr("unknown key"));
-  EXPECT_THAT(with("\nc =", "\nspeed_rpm ="), HasSubstr("a variable has this name"));
+  EXPECT_THAT(with("\nc =", "\nspeed_rpm ="), HasSubstr("a variable of formulas has this name"));
 }
 
 TEST(ModelFile, AnEffectsParameterMayBeFreeByItsNameAlone) {

@@ -189,9 +189,10 @@ TEST(ShaftSection, WrongKeysAndValuesAreNamed) {
               StartsWith("m.toml:16: preload_offset_um: a spring needs a force; give preload_N"));
   EXPECT_THAT(section_error("[arrangement]\nlayout = \"tandem\"\nfront = 2\npreload_N = 600\n"),
               HasSubstr("write mounting = \"spring\""));
-  EXPECT_THAT(section_error(shaft_sets + "preload_N = 600\n[[arrangement.rear_bearing]]\n"
-                                         "[[arrangement.rear_bearing]]\n"),
-              StartsWith("m.toml:16: [[arrangement.rear_bearing]] stands 2 times, but rear = 1"));
+  EXPECT_THAT(
+      section_error(shaft_sets + "preload_N = 600\n[[arrangement.rear_bearing]]\n"
+                                 "[[arrangement.rear_bearing]]\n"),
+      StartsWith("m.toml:16: the model has [[arrangement.rear_bearing]] 2 times, but rear = 1"));
   EXPECT_EQ(section_error(shaft_sets +
                           "preload_N = 600\n[arrangement.rear_bearing]\nball_diameter_mm = -1\n"),
             "m.toml:17: ball_diameter_mm = -1 mm: must be from 0.1 to 300 mm");

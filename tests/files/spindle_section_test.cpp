@@ -210,7 +210,7 @@ TEST(SpindleSection, ARollerBearingThatCannotStandThereIsRefused) {
   EXPECT_THAT(why(with(with_rollers(), "position_mm = 330", "position_mm = 372")),
               HasSubstr("does not lie entirely on the shaft"));
   EXPECT_THAT(why(with(with_rollers(), "bore_mm = 95", "bore_mm = 100")),
-              HasSubstr("the housing has bore_mm = 100 mm there"));
+              HasSubstr("the housing has bore_mm = 100 mm"));
   EXPECT_THAT(why(with_rollers("drive_up_mm = 0.1\n")),
               HasSubstr("mm: only possible with a tapered bore, such as taper = 12 for 1:12"));
   EXPECT_THAT(why(with_rollers("taper = 12\ndrive_up_mm = 0.1\ninner_interference_um = 5\n")),
@@ -341,7 +341,8 @@ TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
       {"diameter_mm = 140.0", "diameter_mm = 112.0", "outside the wall of the housing"},
       {"end_mm = 300.0", "end_mm = 330.0", "the housing reaches from 40 mm to 315 mm"},
       {"pitch_mm = 14.0", "pitch_mm = 8.0", "must be at least channel_width_mm"},
-      {"radius_mm = 57.0", "radius_mm = 50.0", "the housing reaches from 55 mm to 90 mm there"},
+      {"radius_mm = 57.0", "radius_mm = 50.0",
+       "at this position, the housing reaches from 55 mm to 90 mm"},
       {"position_mm = 365.0", "position_mm = 380.0", "the shaft reaches from 0 to 375 mm"},
       {"part = \"shaft\"", "part = \"rotor\"", "must be shaft, ring, housing or coolant"},
       {"name = \"shaft_end\"", "name = \"shaft end\"", "must be letters, digits and _"},
@@ -527,8 +528,8 @@ TEST(SpindleSection, BearingsAreFreeToFitInTheUnitOfTheFile) {
 TEST(SpindleSection, OuterSeatIsFreeOnlyWhereItHasAValue) {
   const std::string free = "[calibration]\nfree = [\"outer_conductance_W_m2K\"]\n";
   EXPECT_THAT(spindle_error(base_spindle + free),
-              HasSubstr("the model has no such value, because it calculates the conductance from "
-                        "the fit; give a start value under [seat]"));
+              HasSubstr("the model has no such value, because it calculates this conductance from "
+                        "the fit of the rings in the housing; give a start value under [seat]"));
   const ModelFile file = spindle_file(
       with(base_spindle, "slope = 0.15", "slope = 0.15\nouter_conductance_W_m2K = 3000") + free);
   EXPECT_EQ(file.model.spindle->seat.outer_conductance, 3000);

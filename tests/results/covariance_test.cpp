@@ -152,9 +152,9 @@ TEST(Covariance, IsOfNoUseForOtherValues) {
 TEST(Covariance, IsRefusedWithLineAndKey) {
   EXPECT_THAT(message("\"f0\", \"torque_", "\"f00\", \"torque_"),
               HasSubstr("m.toml:28: parameters = \"f00\": no such parameter; did you mean f0?"));
-  EXPECT_THAT(
-      message("\"1\", \"N mm\"", "\"1\", \"N\""),
-      HasSubstr("m.toml:29: units = \"N\": windage.torque_at_10000_rpm_Nmm is in \"N mm\""));
+  EXPECT_THAT(message("\"1\", \"N mm\"", "\"1\", \"N\""),
+              HasSubstr("m.toml:29: units = \"N\": the unit of windage.torque_at_10000_rpm_Nmm "
+                        "must be \"N mm\""));
   EXPECT_THAT(message("values = [1.5, 60.0]", "values = [1.5]"),
               HasSubstr("m.toml:30: values = [...]: must be a list of 2"));
   EXPECT_THAT(message("[0.05, 4]", "[0.05, -4]"), HasSubstr("m.toml:31: std"));

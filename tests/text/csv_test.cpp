@@ -161,7 +161,7 @@ TEST(Csv, AColumnOfUnitsBehindEachValueIsItsUnit) {
   EXPECT_EQ(table.units, (std::vector<std::string>{"s", "rpm"}));
   EXPECT_EQ(table.number(1, 1), 700);
   EXPECT_THAT(tests::message_of([&] { (void)read("t,unit\n1,s\n2,min\n"); }),
-              HasSubstr("d.csv:3: t is in min here, but in s above"));
+              HasSubstr("d.csv:3: the unit of t is min in this row, but s in the rows above"));
   EXPECT_THAT(tests::message_of([&] { (void)read("t,unit,n,unit\n1,a,600,b\n"); }),
               HasSubstr("column unit occurs twice"));
   // A table of this program may have a column of that name.
@@ -212,7 +212,8 @@ TEST(Csv, AHeaderThatStandsAgainMayHaveItsUnitsBelowIt) {
                 "the header occurs 2 times more in the file; the program skips these lines",
                 "the program skips 2 lines between the rows and the repeated header"}));
   EXPECT_EQ(tests::message_of([&] { (void)read("t;T\ns;C\n1;20\nt;T\ns;F\n2;70\n"); }),
-            "d.csv:5: T is in \"F\" here, but in \"C\" above; use one unit in a column");
+            "d.csv:5: the unit of T is \"F\" in this row, but \"C\" in the rows above; use one "
+            "unit in a column");
 }
 
 TEST(Csv, ALabviewFileWithoutTimesHasThemFromItsHead) {
