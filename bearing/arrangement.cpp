@@ -103,7 +103,8 @@ void check(const ArrangementDesign& d) {
         "mounting = rigid: not possible, because a tandem arrangement needs a spring");
   if (const auto* offset = std::get_if<PreloadOffset>(&d.preload)) {
     if (d.mounting == Mounting::spring)
-      throw std::invalid_argument("preload_offset: a spring has a preload force, not an offset");
+      throw std::invalid_argument(
+          "preload_offset: not possible with mounting = spring; give preload_force");
     require_between("preload_offset", offset->offset, 0.0, 1 * mm, um, "um");
   } else {
     require_between("preload_force", std::get<PreloadForce>(d.preload).force, 0.0, 1e8, 1.0, "N");

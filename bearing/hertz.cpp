@@ -79,7 +79,7 @@ HertzContact hertz_contact(const Curvature& curvature, const Material& first,
   if (!(curvature.sum > 0.0 && curvature.difference >= 0.0 && curvature.difference < 1.0)) {
     std::ostringstream text;
     text << "curvature sum " << curvature.sum << " 1/m and difference " << curvature.difference
-         << ": the sum must be above 0, and the difference must be from 0 to below 1";
+         << ": the sum must be above 0, and the difference must be at least 0 and below 1";
     throw std::invalid_argument(text.str());
   }
   HertzContact c;

@@ -141,7 +141,7 @@ class Chunk {
 
 void require_available(InstructionSet set) {
   if (!available(set))
-    throw std::invalid_argument("this computer does not have the instructions " +
+    throw std::invalid_argument("this computer does not support the instruction set " +
                                 std::string(name(set)));
 }
 

@@ -9,7 +9,7 @@
 
 namespace raceway::cli {
 
-/// Flag `--band` of a command: uncertainty of its results from the uncertainty of the fitted
+/// Flag `--band` of a command: 95 % band of its results from the uncertainty of the fitted
 /// parameters.
 struct BandFlag {
   bool on = false;

@@ -104,7 +104,8 @@ int run(const CalibrateFlags& flags) {
   tell(found.messages);
   if (!found.converged()) {
     complain(fmt::format(
-        "raceway calibrate: {} after {} steps; {}", fit::name(found.status), found.iterations,
+        "raceway calibrate: the fit ended with status {} after {} steps; {}",
+        fit::name(found.status), found.iterations,
         flags.output.empty() ? "no result" : output.names(*asked.subject) + " is not written"));
     return not_converged;
   }

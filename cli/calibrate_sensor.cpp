@@ -37,8 +37,8 @@ std::string percent(const rig::SensorCalibration& c, double signal) {
 
 void print_curve(const rig::SensorCalibration& c, const std::string& source) {
   const rig::TorqueSensor& s = c.sensor;
-  fmt::print("signal = b0 + b1 M{}{}, M in N m, of {}\n", c.degree() > 1 ? " + b2 M2" : "",
-             c.degree() > 2 ? " + b3 M3" : "", source);
+  fmt::print("signal = b0 + b1 M{}{}, signal in V, M in N m, fitted to {}\n",
+             c.degree() > 1 ? " + b2 M2" : "", c.degree() > 2 ? " + b3 M3" : "", source);
   fmt::print("{} readings at {} torques, {:.6g} to {:.6g} N m, {:.6g} to {:.6g} V\n\n", c.readings,
              c.torques, s.lowest_torque, s.highest_torque, s.lowest_signal, s.highest_signal);
   TextTable table(
@@ -58,11 +58,11 @@ void print_tests(const rig::SensorCalibration& c) {
              100.0 * c.range_std / c.signal_range);
   fmt::print("linearity   largest distance from the best straight line {} V, {}",
              number(c.off_line, 3), percent(c, c.off_line));
-  if (c.degree() > 1) fmt::print("; from this curve {} V", number(c.off_curve, 3));
+  if (c.degree() > 1) fmt::print("; from the fitted curve {} V", number(c.off_curve, 3));
   fmt::print("\n");
   const rig::LackOfFit& lack = c.lack_of_fit;
   if (std::isnan(lack.statistic))
-    fmt::print("            not tested against repeated readings\n");
+    fmt::print("            lack of fit not tested: the readings do not allow the test\n");
   else
     fmt::print("            lack of fit F({}, {}) = {:.3g}, {}\n", lack.degrees, lack.error_degrees,
                lack.statistic, p_text(lack.p_value));
@@ -73,9 +73,8 @@ void print_tests(const rig::SensorCalibration& c) {
     fmt::print("hysteresis  {} V (falling minus rising) at {:.4g} N m, {}{}\n",
                number(h.largest, 3), h.largest_at, percent(c, h.largest),
                !std::isnan(h.p_value) ? "; " + p_text(h.p_value)
-               : h.torques == 1
-                   ? "; measure at three torques or more to separate it from scatter"
-                   : "; measure at three torques or more to separate it from the scatter");
+                                      : "; measure at three torques or more to separate hysteresis "
+                                        "from scatter");
 }
 
 /// What a record made with this sensor will have for its rows.
@@ -95,8 +94,9 @@ void print_errors(const rig::SensorCalibration& c) {
 int run(const SensorFlags& flags) {
   const std::optional<int> degree = degree_of(flags.degree);
   if (flags.readings == "-" && isatty(STDIN_FILENO) != 0)
-    throw text::InputError("raceway calibrate-sensor: CSV is -, but standard input is empty",
-                           {.key = "CSV"});
+    throw text::InputError(
+        "raceway calibrate-sensor: CSV is -, but standard input is a terminal; name a file",
+        {.key = "CSV"});
   refuse_two_on_stdout("calibrate-sensor", flags.json, flags.output);
   flags.require_writable();
 

@@ -77,9 +77,10 @@ Run setup_check(CLI::App& command) {
   declare(command, flags->loop.reading);
   declare_beside(command, flags->loop.reading);
   declare_json(command, flags->json);
-  flags->declare_output(command,
-                        "file for the rows as raceway reads them (CSV), or the torques of a "
-                        "coast-down; with --suggest-columns, the table [columns]");
+  flags->declare_output(
+      command,
+      "CSV file for the rows as raceway reads them (for a coast-down: the calculated torques); "
+      "with --suggest-columns, TOML file for the table [columns]");
   flags->csv.declare(command);
   flags->declare_force(command);
   command

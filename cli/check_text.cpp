@@ -21,7 +21,7 @@ std::string noise_of_channel(const loop::Check::MeasuredChannel& m) {
   };
   const std::string stated =
       std::isnan(m.noise.rms)
-          ? "not known (too few repeated rows, and no std in every row)"
+          ? "not known (too few repeated rows, and std is not given in every row)"
           : fmt::format("{} ({})", text(m.noise.rms), fit::name(m.noise.source));
   // Both find the same noise: one number is enough.
   if (std::isnan(m.found_noise) || std::abs(m.found_noise - m.noise.rms) < 1e-3 * m.found_noise)
@@ -51,15 +51,14 @@ void print_noise(const correction::RecordCheck& c) {
   if (!r.known()) {
     if (std::isfinite(c.noise_at_most))
       fmt::print(
-          "noise of a reading: at most {} {}, estimated from the quarter of the readings nearest "
-          "to "
-          "the lines between their neighbours\n",
+          "noise of a reading: at most {} {}, estimated from those 25 % of the readings that are "
+          "nearest to the line between their two neighbours\n",
           number(c.noise_at_most / um, 2), unit);
     return;
   }
   fmt::print(
-      "repeated readings at {} stops: scatter of a reading ±{} {} (2 sigma, {} degrees of "
-      "freedom)\n",
+      "number of stops with repeated readings: {}; scatter of a reading ±{} {} (2 sigma, {} "
+      "degrees of freedom)\n",
       r.stops.size(), number(2.0 * r.std / um, 2), unit, r.degrees_of_freedom);
   TextTable table(
       {{"stop at", "s"}, {"readings", ""}, {"mean", unit}, {"2 sigma of the mean", unit}});
@@ -70,7 +69,8 @@ void print_noise(const correction::RecordCheck& c) {
   }
   fmt::print("{}", table.text(terminal_width()));
   if (r.stops.size() > most_lines)
-    fmt::print("... and {} more stops; --json lists all stops\n", r.stops.size() - most_lines);
+    fmt::print("... number of further stops: {}; --json lists all stops\n",
+               r.stops.size() - most_lines);
 }
 
 }  // namespace
@@ -90,8 +90,9 @@ void print_check(const loop::Check& c, const record::Record& data) {
     fmt::print("effect {}: {}\n", t.id,
                !t.ruled_out.empty() ? "not testable: " + t.ruled_out
                : !t.missing.empty() ? "needs " + t.missing
-               : !t.levels.empty()  ? "testable, but difficult to separate without " + t.levels
-                                    : "testable");
+               : !t.levels.empty()
+                   ? "testable, but difficult to separate from other effects without " + t.levels
+                   : "testable");
 }
 
 void print_settings_hold(record::SettingsHold hold) {
@@ -100,7 +101,7 @@ void print_settings_hold(record::SettingsHold hold) {
       "settings (speed, load, feed, coolant) of a row apply from {}; its reading was taken {} "
       "({})\n",
       until ? "the previous row to this row" : "this row to the next row",
-      hold == record::SettingsHold::from_row ? "just before the change"
+      hold == record::SettingsHold::from_row ? "just before the change of the settings"
                                              : "with the settings of this row",
       hold == record::SettingsHold::sampled
           ? "settings_hold is not given"
@@ -119,7 +120,7 @@ void print_check(const correction::RecordCheck& c) {
       c.sampling, c.duration / 3600.0, c.readings, c.reading_interval, c.shortest, c.longest);
   print_noise(c);
   for (const correction::RecordCheck::Quantum& q : c.quanta)
-    fmt::print("{}: last digit {:.3g} {}\n", q.column->name, q.step / q.column->factor,
+    fmt::print("{}: resolution {:.3g} {} (last digit)\n", q.column->name, q.step / q.column->factor,
                text::difference_unit(*q.column));
   for (const correction::RecordCheck::Printed& p : c.printed) {
     std::vector<std::string> lags;

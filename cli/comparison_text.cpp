@@ -158,7 +158,7 @@ void print_comparison(const std::string& model, const Comparisons& comparisons,
   for (const verdict::Comparison* one : told) {
     const verdict::Comparison& c = *one;
     if (one != told.front()) fmt::print("\n");
-    fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
+    fmt::print("{} compared with {}: {} row{}, {}\n\n", model, data.source, c.rows,
                c.rows == 1 ? "" : "s", c.channel->words);
     print_summary(c);
     print_parts("record", c.records, c, [](const verdict::ErrorRange& r) { return r.run; });

@@ -58,7 +58,7 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
   fmt::print("{}: {} rows over {:.4g} h\n\n{}", record.source, record.rows(),
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
              table.text(terminal_width()));
-  fmt::print("RMS and largest error of the readings after one constant is subtracted\n");
+  fmt::print("RMS and largest: errors at the readings, after the mean error is subtracted\n");
   for (const results::Corrected& c : list) print_more_errors(*c.displacement, c.metrics);
   for (const results::Corrected& c : list) print_band(c, record);
   for (const results::Corrected& c : list) print_trust(*c.displacement, c.trust);
@@ -95,11 +95,11 @@ Run setup_correct(CLI::App& command) {
                   "record over time (CSV); cells of the displacement may be empty")
       ->required()
       ->type_name("");
-  flags->declare_output(
-      command,
-      "CSV file to write, - for stdout. Columns: time_s, predicted_um, band_low_um and "
-      "band_high_um (95 %, for a fitted model), the part of each channel, residual_um (urad for an "
-      "angle); with several displacements predicted_COLUMN, CHANNEL_COLUMN, residual_COLUMN");
+  flags->declare_output(command,
+                        "CSV file to write, - for stdout. Columns: time_s, predicted_um, "
+                        "band_low_um and band_high_um (95 %, for a fitted model), the contribution "
+                        "of each channel, residual_um (urad for an angle); with several "
+                        "displacements predicted_COLUMN, CHANNEL_COLUMN, residual_COLUMN");
   flags->learning.declare(command);
   declare(command, flags->reading);
   declare_beside(command, flags->reading);

@@ -45,9 +45,9 @@ void print_errors(const std::vector<results::Learnt>& list) {
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "\nRMS error of the readings that were not used for learning: with the zero of the first "
-      "reading,\nwith the zero of the last reading, and with learning. Due: time until the next "
-      "reading is needed\n");
+      "\nRMS error of the prediction at the readings that were not used for learning: with the "
+      "zero of the\nfirst reading, with the zero of the last reading, and with learning. Due in: "
+      "time until the next\nreading is needed\n");
 }
 
 /// Gains, and those lags that stand out.
@@ -91,14 +91,14 @@ void LearnFlags::declare(CLI::App& command) {
 void LearnFlags::check(text::IfExists if_exists) const {
   const auto needs = [&](const std::string& value, const std::string& flag) {
     if (!value.empty() && !learn)
-      throw text::InputError(flag + ": belongs to --learn", {.key = flag});
+      throw text::InputError(flag + ": only possible with --learn", {.key = flag});
   };
   needs(choices.every, "--every");
   needs(choices.forget, "--forget");
   needs(save, "--save");
   choices.check();
   if (save == "-")
-    throw text::InputError("--save -: not possible, because stdout shows the numbers; name a file",
+    throw text::InputError("--save -: not possible, because stdout shows the results; name a file",
                            {.key = "--save"});
   if (!save.empty()) text::require_writable(save, if_exists);
 }

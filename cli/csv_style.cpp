@@ -33,8 +33,8 @@ void CsvStyle::declare(CLI::App& command, const std::vector<std::string>& others
   names.insert(names.end(), others.begin(), others.end());
   command
       .add_option("--format", format,
-                  "csv (default; with the model in # lines), plain (first line is the header, "
-                  "comments in FILE_comments.txt; for pandas and MATLAB), " +
+                  "csv (default; with the model in lines that start with #), plain (first line is "
+                  "the header, comments in FILE_comments.txt; for pandas and MATLAB), " +
                       help +
                       "excel (like plain, with semicolons and decimal commas for a German Excel)")
       ->check(CLI::IsMember(names))

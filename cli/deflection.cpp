@@ -47,7 +47,9 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
     fmt::print("displacement at the load {:.4f} um, stiffness {} N/um (at zero load {} N/um)\n",
                r.displacement / um, number(r.stiffness() / N_per_um),
                number(r.force / r.tangent / N_per_um));
-  if (!r.axial) fmt::print("nose {:.4f} um, slope {:.3f} urad\n", r.nose / um, r.slope * 1e6);
+  if (!r.axial)
+    fmt::print("radial displacement of the nose {:.4f} um, slope {:.3f} urad\n", r.nose / um,
+               r.slope * 1e6);
   fmt::print("\n");
   TextTable table({{"bearing", "", true},
                    {"axial", "N"},
@@ -140,9 +142,9 @@ Run setup_deflection(CLI::App& command) {
                   "direction of the force: radial or axial; default radial")
       ->check(CLI::IsMember({"radial", "axial"}))
       ->type_name("WORD");
-  add_number(command, "--speed", flags->speed_rpm, speed_range, "[rpm]; default 0");
+  add_number(command, "--speed", flags->speed_rpm, speed_range, "speed [rpm]; default 0");
   command.add_flag("--warm", flags->warm,
-                   "use the preload of the warm spindle in its steady state at this speed");
+                   "use the preload of the warm spindle in its steady state at --speed");
   declare_coolant(command, flags->coolant_on, "coolant of the warm spindle, on or off; default on");
   flags->declare_output(command, "CSV file for the bending line; - for stdout");
   flags->declare_results(command);

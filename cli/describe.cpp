@@ -68,11 +68,12 @@ Run setup_describe(CLI::App& command) {
   auto flags = std::make_shared<DescribeFlags>();
   command.add_option("FORMAT", flags->format, "bash or zsh: shell completion; man: man page")
       ->type_name("");
-  command.add_option("COMMAND", flags->command, "with man: command of the page")->type_name("");
+  command.add_option("COMMAND", flags->command, "with man: command that the page describes")
+      ->type_name("");
   command
       .add_option(
           "--tree", flags->tree,
-          "write all completions and man pages into this folder, in the subfolders of share/")
+          "write all completions and man pages into the subfolders of share/ in this folder")
       ->type_name("FOLDER");
   command.footer(
       "Example:\n  raceway describe bash > ~/.local/share/bash-completion/completions/raceway\n"

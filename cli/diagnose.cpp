@@ -102,7 +102,7 @@ Run setup_diagnose(CLI::App& command) {
   command
       .add_option("--tried-before", flags->tried_before,
                   "number of explanations that you have already tried on these data; diagnose then "
-                  "requires more evidence")
+                  "requires a larger gain")
       ->type_name("N");
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
              "time after which diagnose stops [s]; default 120");

@@ -106,7 +106,7 @@ std::string effects_text(const verdict::Diagnosis& d, std::size_t most) {
     table.add(std::move(row));
   }
   return table.text(terminal_width()) +
-         fmt::format("--verbose shows {} more effects, limits and intervals\n",
+         fmt::format("--verbose shows all effects ({} more), detection limits and intervals\n",
                      d.effects.size() - shown);
 }
 
@@ -141,8 +141,10 @@ void print_effects(const verdict::Diagnosis& d) {
   if (shown == 0) return;
   fmt::print("\n{}", table.text(terminal_width()));
   if (!has_gains(d)) return;
-  fmt::print("gain: fall of -2 ln L; {} needed ({} explanations tried, {} rows)\n",
-             number(d.needed_gain, 3), d.candidates_tried, d.rows);
+  fmt::print(
+      "gain: decrease of -2 ln L by the effect; a verdict needs {} (explanations tried: {}, rows: "
+      "{})\n",
+      number(d.needed_gain, 3), d.candidates_tried, d.rows);
 }
 
 void print_intervals(const verdict::Diagnosis& d) {
@@ -160,9 +162,9 @@ void print_intervals(const verdict::Diagnosis& d) {
 
 void print_other_bases(const verdict::Diagnosis& d) {
   for (const verdict::OtherBaseTried& b : d.other_bases) {
-    fmt::print("{}: gain {}, RMS {} {}, held out {}", b.words, number(b.gain, 3),
-               channel_error(b.rmse, 0, d), error_unit(d.channels.front().channel()),
-               channel_error(b.rmse_held_out, 0, d));
+    fmt::print("{}: gain {}, RMS error {} {unit}, held-out error {} {unit}", b.words,
+               number(b.gain, 3), channel_error(b.rmse, 0, d), channel_error(b.rmse_held_out, 0, d),
+               fmt::arg("unit", error_unit(d.channels.front().channel())));
     for (const fit::Parameter& p : b.parameters) fmt::print(", {} = {}", p.name, size_text({p}));
     fmt::print("\n");
   }

@@ -10,7 +10,8 @@ namespace raceway::cli {
 
 inline constexpr int error_digits = 3;
 
-/// Returns the error of one channel; "-" if there is none.
+/// Returns the error `errors[k]` [SI] of channel k as text in the unit of the channel; "-" if
+/// `errors` has no element k. The text does not contain the unit.
 [[nodiscard]] std::string channel_error(const std::vector<double>& errors, std::size_t k,
                                         const verdict::Diagnosis& d);
 

@@ -19,7 +19,7 @@ void print_hold_out(const verdict::Diagnosis& d) {
   for (const fit::HoldOut& h : d.hold_out)
     for (std::size_t k = 0; k < d.channels.size(); ++k) {
       const record::Channel& of = d.channels[k].channel();
-      fmt::print("held-out error by {}{}: {} {} before, {} {} after\n", h.variable,
+      fmt::print("held-out RMS error, blocks by {}{}: {} {} before, {} {} after\n", h.variable,
                  d.channels.size() > 1 ? fmt::format(", {}", of.words) : "",
                  channel_error(h.rmse_before, k, d), error_unit(of),
                  channel_error(h.rmse_after, k, d), error_unit(of));
@@ -63,15 +63,15 @@ void print_next_points(const verdict::Diagnosis& d) {
 
 std::string p_of_misfit(const verdict::Diagnosis& d) {
   return std::isnan(d.p_value) ? ""
-         : d.p_value < 1e-300  ? " (p of the misfit < 1e-300)"
-                               : fmt::format(" (p of the misfit {:.1g})", d.p_value);
+         : d.p_value < 1e-300  ? " (p-value of the misfit < 1e-300)"
+                               : fmt::format(" (p-value of the misfit {:.1g})", d.p_value);
 }
 
 void print_verdict_details(const verdict::Diagnosis& d) {
   print_intervals(d);
   print_hold_out(d);
   if (d.tolerance_limited() && !d.significant_but_immaterial.empty())
-    fmt::print("significant, but within the tolerance: {}\n",
+    fmt::print("effects that are significant, but within the tolerance: {}\n",
                fmt::join(d.significant_but_immaterial, ", "));
   print_other_bases(d);
   if (d.shape) print_shape(*d.shape);
@@ -89,7 +89,7 @@ void print_limits(const verdict::Diagnosis& d) {
     found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
                number(100.0 * s.share_of_reading, 2)});
   if (!d.would_have_been_found.empty()) fmt::print("\n{}", found.text(terminal_width()));
-  if (!d.not_testable.empty()) fmt::print("\ncould not have been found:\n");
+  if (!d.not_testable.empty()) fmt::print("\neffects that could not have been found:\n");
   for (const verdict::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
 }
 
@@ -123,7 +123,7 @@ std::string short_sentence(const verdict::Diagnosis& d, std::size_t most) {
 /// The first point to measure and the first quantity to record.
 std::string advice(const verdict::Diagnosis& d) {
   const auto more = [](std::size_t all) {
-    return all > 1 ? fmt::format(" ({} more: --verbose)", all - 1) : std::string();
+    return all > 1 ? fmt::format(" (--verbose shows {} more)", all - 1) : std::string();
   };
   std::string text;
   if (!d.suggested_measurements.empty()) {

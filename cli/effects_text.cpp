@@ -35,9 +35,10 @@ void paragraph(std::string heading, std::string_view words) {
 std::string_view step_explained(const Description& d) {
   if (d.entry) return "entry: corrects an entered or measured value before the calculation";
   if (d.condition)
-    return d.for_rig
-               ? "condition: changes the load or geometry of the bearing, before its equilibrium"
-               : "condition: changes the loads or geometry of the sets, before their equilibrium";
+    return d.for_rig ? "condition: changes the load or geometry of the bearing before its "
+                       "equilibrium is calculated"
+                     : "condition: changes the loads or geometry of the bearing sets before their "
+                       "equilibrium is calculated";
   if (d.lubricant)
     return "lubricant: changes viscosity and film at the contacts, before the base law";
   if (d.has_moment()) return "moment: added to the moments of the base law";
@@ -130,8 +131,9 @@ void print_effect_card(const Description& d) {
   paragraph("acts at", step_explained(d));
   paragraph("needs", needs_of(d));
   if (!d.supplies.empty())
-    paragraph("lubricated", fmt::format("by {}; not tested with another [lubricant] supply",
-                                        effects::text(d.supplies)));
+    paragraph("lubricated",
+              fmt::format("by {}; the effect is not tested with another [lubricant] supply",
+                          effects::text(d.supplies)));
   if (!d.within_contacts.empty())
     paragraph("not with", fmt::format("law = \"contact\", which already includes this effect as {}",
                                       d.within_contacts));

@@ -24,7 +24,7 @@ std::string noise_text(const verdict::Comparison& c) {
           : fmt::format("too few repeated rows{}",
                         column == record::channels.end()
                             ? ""
-                            : fmt::format(", and no {} in every row", column->name)),
+                            : fmt::format(", and {} is not given in every row", column->name)),
       std::isnan(c.estimated_noise)
           ? ""
           : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));

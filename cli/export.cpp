@@ -45,7 +45,7 @@ int run(const ExportFlags& flags) {
     for (const control::ControlAxis& a : plan.axes)
       parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.equations.size() +
                a.kinematics.size();
-    say(fmt::format("{} written: {} displacement{} of {} part{} from {} input{}", flags.output,
+    say(fmt::format("{} written: {} displacement{} with {} term{} from {} input{}", flags.output,
                     plan.axes.size(), plan.axes.size() == 1 ? "" : "s", parts,
                     parts == 1 ? "" : "s", plan.inputs.size(), plan.inputs.size() == 1 ? "" : "s"));
     if (with_hal) say(fmt::format("{} and {} written", hal.start, hal.shutdown));

@@ -25,7 +25,8 @@ struct FitLawFlags : OutputFlags {
 
 void print(const shaft::KinematicLawFit& f, const std::string& source,
            const std::optional<results::LawAtSpeed>& at, const std::string& statement) {
-  fmt::print("u = A n^(1 - B exp(-C n)), u in um, n in rpm, of {}\n\n", source);
+  fmt::print("u = A n^(1 - B exp(-C n)), displacement u in um, speed n in rpm, fitted to {}\n\n",
+             source);
   TextTable table({{"parameter", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
   for (const record::Parameter& p : f.parameters)
     table.add({p.name, number(p.value, 6), number(p.std, 2), p.unit == "1" ? "-" : p.unit});
@@ -46,8 +47,9 @@ void print(const shaft::KinematicLawFit& f, const std::string& source,
 
 int run(const FitLawFlags& flags) {
   if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
-    throw text::InputError("raceway fit-law: CSV is missing, and standard input is empty",
-                           {.key = "CSV"});
+    throw text::InputError(
+        "raceway fit-law: CSV is missing, and standard input is a terminal; name a file",
+        {.key = "CSV"});
   refuse_two_on_stdout("fit-law", flags.json, flags.output);
   flags.require_writable();
 
@@ -71,7 +73,8 @@ int run(const FitLawFlags& flags) {
           "check whether this is real or scatter of the readings");
   }
   if (f.converged()) return done;
-  complain(fmt::format("raceway fit-law: {} after {} steps", fit::name(f.status), f.iterations));
+  complain(fmt::format("raceway fit-law: the fit ended with status {} after {} steps",
+                       fit::name(f.status), f.iterations));
   return not_converged;
 }
 
@@ -87,7 +90,9 @@ Run setup_fit_law(CLI::App& command) {
       ->type_name("");
   add_number(command, "--at", flags->at, speed_range,
              "also print displacement and slope at this speed [rpm]");
-  flags->declare_output(command, "file for a monotone table instead of the law; - for stdout");
+  flags->declare_output(
+      command,
+      "file for a table of displacement over speed, to use instead of the law; - for stdout");
   declare(command, flags->reading);
   flags->declare_force(command);
   declare_json(command, flags->json);

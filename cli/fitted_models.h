@@ -13,7 +13,7 @@ namespace raceway::cli {
 /// fitted separately for each record.
 class FittedModels {
  public:
-  /// No file is written if the flags name no output.
+  /// If `flags.output` is empty, write() writes no file.
   explicit FittedModels(const OutputFlags& flags)
       : output_(flags.output), if_exists_(flags.if_exists()) {}
 

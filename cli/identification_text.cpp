@@ -88,7 +88,7 @@ void print_identification(const correction::Identification& found, const record:
                found.model.displacement->name, record.source);
     print_ahead(found);
     print_bank(found);
-    fmt::print("\nRMS {} {unit}, ahead {} {unit}, noise {} {unit}\n",
+    fmt::print("\nRMS error {} {unit}, error ahead {} {unit}, noise {} {unit}\n",
                number(found.metrics.rms / um, 3), number(found.rms_held_out / um, 3),
                number(found.noise / um, 2), fmt::arg("unit", unit_of(found)));
     return;
@@ -97,15 +97,15 @@ void print_identification(const correction::Identification& found, const record:
     fmt::print("{} of {}: multiple linear regression\n\n", found.model.displacement->name,
                record.source);
   } else {
-    fmt::print("{} of {}: {} structures tried\n\n", found.model.displacement->name, record.source,
+    fmt::print("{} of {}, structures tried: {}\n\n", found.model.displacement->name, record.source,
                found.tried.size());
     print_ladder(found);
     fmt::print("\n");
   }
   print_sections(found);
   fmt::print(
-      "\nRMS {} {unit}, held out {} {unit}, noise {} {unit}; condition number {:.2g}; residuals "
-      "are correlated over {:.3g} min\n",
+      "\nRMS error {} {unit}, held-out error {} {unit}, noise {} {unit}; condition number {:.2g}; "
+      "correlation time of the residuals {:.3g} min\n",
       number(found.metrics.rms / um, 3), number(found.rms_held_out / um, 3),
       number(found.noise / um, 2), found.condition, found.correlation_time / 60.0,
       fmt::arg("unit", unit_of(found)));
@@ -148,8 +148,9 @@ void print_baseline(const record::Channel& displacement, const correction::ArxBa
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "one step: prediction of each point from the readings before it. simulated: from the inputs "
-      "only,\nas in a control. second half: simulated with the fit to the first half.\n");
+      "RMS errors of three predictions. one step: prediction of each point from the readings "
+      "before it.\nsimulated: prediction from the inputs only, as in a control. second half: "
+      "simulation of the second\nhalf with the fit to the first half.\n");
 }
 
 }  // namespace raceway::cli

@@ -43,7 +43,7 @@ void print_more_errors(const record::Channel& displacement, const correction::Me
 
 /// Prints the result of an identification: lags, gains and the error of the model.
 void print_identification(const correction::Identification& found, const record::Record& record);
-/// Prints a baseline model, which is not written to a file.
+/// Prints the errors and the time constants of the ARX models, one row for each order.
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& found,
                     const record::Record& record);
 

@@ -41,7 +41,7 @@ void merge_slabs(const std::vector<std::string>& slabs, const std::string& outpu
         "raceway table: --output is missing; --merge writes the table to this file",
         {.key = "--output"});
   if (csv.format != "csv" && csv.format != "excel")
-    throw text::InputError("raceway table: --merge can only write --format csv or excel",
+    throw text::InputError("raceway table: --merge writes only --format csv or excel",
                            {.key = "--format"});
   csv.require_writable(output, if_exists);
   require_memory_to_merge(slabs);

@@ -10,7 +10,7 @@
 namespace raceway::cli {
 
 /// Parses the value of `--slab i/N`: "2/4" is the second of four parts of a table. Throws
-/// text::InputError.
+/// text::InputError for any other text.
 [[nodiscard]] friction::TableSlab slab_of(const std::string& text);
 
 /// Joins the files of `table --slab` to one table, for `table --merge`. The result equals the table

@@ -17,7 +17,8 @@ void set_quiet(bool quiet);
 /// messages with the same code.
 void show_every_message();
 
-/// Prints for each code how many notes and warnings were not printed.
+/// Prints for each code the number of notes and warnings that were not printed, and resets the
+/// numbers. Prints nothing with `--quiet` or after show_every_message().
 void count_hidden_messages();
 
 /// Returns true if progress bars are shown: stderr is a terminal and --quiet is not set.
@@ -40,7 +41,7 @@ void warn(const std::vector<std::string>& warnings);
 /// receiver also rejects files that the session reads and that are outputs of the same run.
 [[nodiscard]] session::Messages& messages();
 
-/// Prints the reason why there is no result, even with --quiet.
+/// Prints the reason why a command gives no result, even with --quiet.
 void complain(const std::string& line);
 
 /// Stores the JSON document of this run. The document is printed after all other work of the

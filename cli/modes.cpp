@@ -54,7 +54,7 @@ void print_crossings(const std::vector<results::ModesAtSpeed>& speeds) {
 void print(const ModesFlags& f, const session::SpindleModes& found) {
   const bearing::Arrangement& a = found.beam.sets.arrangement();
   fmt::print(
-      "Modes of {}, {:.4g} kg on its bearings{}: frequency in Hz, b backward whirl, f forward "
+      "Modes of {} on its bearings, mass {:.4g} kg{}: frequency in Hz, b backward whirl, f forward "
       "whirl\n",
       found.file.model.name, found.beam.beam.weight(),
       f.warm ? ", warm in the steady state" : ", cold");
@@ -94,8 +94,10 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
   fmt::print("{}", table.text(terminal_width()));
   fmt::print("\nfront, rear: preload at this speed; K: radial stiffness of each bearing\n");
   if (!std::isnan(f.unbalance_gmm))
-    fmt::print("nose: amplitude under {:.6g} g mm at {:.6g} mm with a damping ratio of {:.6g}\n",
-               f.unbalance_gmm, f.unbalance_at_mm, f.damping);
+    fmt::print(
+        "nose: amplitude with an unbalance of {:.6g} g mm at {:.6g} mm and a damping ratio of "
+        "{:.6g}\n",
+        f.unbalance_gmm, f.unbalance_at_mm, f.damping);
   print_crossings(found.speeds);
 }
 

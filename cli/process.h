@@ -16,8 +16,8 @@ namespace raceway::cli {
 /// as for a full disk.
 void start_process();
 
-/// Sets a flag at the first Ctrl-C or after `seconds`, as long as this object exists. The first
-/// Ctrl-C then does not end the process.
+/// Sets a flag at the first Ctrl-C, or when `seconds` [s] have passed. While an InterruptFlag
+/// exists, the first Ctrl-C does not end the process.
 class InterruptFlag {
  public:
   explicit InterruptFlag(double seconds);
@@ -40,7 +40,7 @@ void write_message(std::string_view text);
 /// message, or an empty text.
 [[nodiscard]] std::string stdout_problem();
 
-/// Returns the message of stdout_problem() for this error number.
+/// Returns the message of stdout_problem() for an error number of the system (errno).
 [[nodiscard]] std::string stdout_problem(int error);
 
 }  // namespace raceway::cli

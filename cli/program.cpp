@@ -53,7 +53,7 @@ constexpr std::array commands{
             "Calculate gains and lags of a spindle from steps of its speed", setup_step_response},
     Command{machine, "fit-law", "Fit a law to a curve of axial displacement over speed",
             setup_fit_law},
-    Command{machine, "join", "Join corrections that move the same axis", setup_join},
+    Command{machine, "join", "Join corrections of the same displacement", setup_join},
     Command{sensors, "calibrate-sensor", "Fit the curve of a torque sensor to known torques",
             setup_calibrate_sensor},
     Command{understand, "sensitivity",
@@ -101,7 +101,8 @@ Program::Program() {
     command->group(c.group);
     runs_[command] = c.setup(*command);
     command->add_flag_callback(
-        "--quiet", [] { set_quiet(true); }, "print errors only, no notes and no warnings");
+        "--quiet", [] { set_quiet(true); },
+        "print only errors: no notes, no warnings, no list of written files");
   }
 }
 

@@ -14,9 +14,10 @@ struct ReportFlag {
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Throws if the page cannot be written. Call it before a long calculation.
+  /// Throws text::InputError if a page was requested and cannot be written, or if the program was
+  /// built without reports. Call it before a long calculation.
   void check(text::IfExists if_exists) const;
-  /// Writes the page if it was requested, and prints a message.
+  /// Writes the page if it was requested, and prints "page.html written; ...".
   void write(const std::function<std::string()>& page, text::IfExists if_exists) const;
 };
 

@@ -112,7 +112,7 @@ void check_outputs(const std::vector<std::string>& outputs) {
     for (std::size_t j = 0; j < k; ++j)
       if (same_file(outputs[j], outputs[k]))
         throw text::InputError(outputs[k] +
-                               ": two records would be written to this file; rename one");
+                               ": two records would be written to this file; rename one record");
     for (const std::string& named : files_of_run().outputs)
       if (same_file(named, outputs[k]))
         throw text::InputError(

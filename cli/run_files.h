@@ -16,7 +16,8 @@ namespace raceway::cli {
 /// own MODEL.
 void check_files(const CLI::App& command);
 
-/// Checks outputs whose names are known only during the run. Call it after check_files().
+/// Throws text::InputError if an output whose name is known only during the run is an input or
+/// another output of the run. Call it after check_files().
 void check_outputs(const std::vector<std::string>& outputs);
 
 /// Checks a file that a model names and that the run reads. Throws text::InputError if the file is

@@ -95,13 +95,13 @@ Run setup_sensitivity(CLI::App& command) {
       .add_option("--spread", flags->spread,
                   "possible error of numbers in both directions, separated by commas, such as "
                   "ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%; or a file (TOML) with keys of "
-                  "the model. Default: 1 %, 1 K for temperatures, 1 for numbers of parts, and "
-                  "sqrt(3) standard errors for fitted numbers")
+                  "the model. Default: 1 %, 1 K for temperatures, 1 for counts such as ball_count, "
+                  "and sqrt(3) standard errors for fitted numbers")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,
                   "numbers to vary, separated by commas; the name of a table means all its "
-                  "numbers, such as bearing,shaft")
+                  "numbers, such as bearing,shaft; default: all numbers")
       ->type_name("NAMES");
   command
       .add_option("--global", flags->samples,
@@ -111,7 +111,9 @@ Run setup_sensitivity(CLI::App& command) {
       ->type_name("SAMPLES");
   command.add_option("--seed", flags->seed, "random seed of the samples; default 1")
       ->type_name("N");
-  command.add_flag("--all", flags->all, "also list the numbers with a share below 0.1 %");
+  command.add_flag(
+      "--all", flags->all,
+      "also list the numbers that cause less than 0.1 % of the sum of the squared changes");
   declare_json(command, flags->json);
   command.footer(
       "Example:\n"

@@ -104,16 +104,16 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
   fmt::print("{}",
              table.text(std::max<std::size_t>(terminal_width(), narrowest + (p.global ? 30 : 0))));
   if (!left_out.empty())
-    print_words(fmt::format("share below 0.1 % each: {}",
+    print_words(fmt::format("numbers with a share below 0.1 % each: {}",
                             left_out.size() > most_named
-                                ? fmt::format("{} numbers (--all lists them)", left_out.size())
+                                ? fmt::format("{} (--all lists them)", left_out.size())
                                 : text::listed(left_out)));
   if (p.global) {
     double alone = 0.0;
     for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
     fmt::print(
-        "samples: mean {}, standard deviation {}; the numbers on their own, without interactions, "
-        "cause {:.3f} of the variance\n",
+        "prediction over all samples: mean {}, standard deviation {}; the numbers alone, without "
+        "interactions, cause a share of {:.3f} of its variance\n",
         number(p.global->mean), number(p.global->std, 3), alone);
   }
   for (const std::string& line : p.cannot_tell) fmt::print("{}\n", line);
@@ -122,7 +122,7 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
 }  // namespace
 
 void print_sensitivity(const results::Sensitivity& s, bool all) {
-  fmt::print("What matters of {}\n", s.model);
+  fmt::print("Influence of the numbers of {} on its predictions\n", s.model);
   for (const results::PredictionSensitivity& p : s.predictions) {
     fmt::print("\n");
     print_prediction(s, p, all);

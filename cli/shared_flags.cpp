@@ -81,7 +81,7 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
 void declare(CLI::App& command, session::Tolerance& tolerance) {
   command
       .add_option("--tolerance", tolerance.text,
-                  "largest error that you accept, such as 2Nmm or 2um,0.5K; for models without "
+                  "largest RMS error that you accept, such as 2Nmm or 2um,0.5K; for models without "
                   "this tolerance under [loop] or [correction]")
       ->type_name("VALUES");
 }

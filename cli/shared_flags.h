@@ -10,7 +10,7 @@
 /// Flags that several commands share. Each flag is declared only here.
 namespace raceway::cli {
 
-/// Returns the action for an output file that already exists; --force sets it.
+/// Returns the action for an output file that already exists: `replace` if `force` is true.
 [[nodiscard]] inline text::IfExists on_existing(bool force) {
   return force ? text::IfExists::replace : text::IfExists::refuse;
 }

@@ -95,8 +95,10 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   require_all(question.speeds, speed_range, "--speed");
   for (double& speed : question.speeds) speed *= rpm;
   if ((!f.field.empty() || !f.end_state.empty()) && question.speeds.size() > 1)
-    throw text::InputError("raceway spindle: --field and --end-state need a single speed",
-                           {.key = "--speed"});
+    throw text::InputError(
+        "raceway spindle: --field and --end-state need a single --speed, because each file "
+        "contains one state",
+        {.key = "--speed"});
   const session::SteadySpindle found = session::steady_spindle(file, question);
   const std::size_t count = found.states.size();
   f.put_table([&] { return found.csv(); },
@@ -152,7 +154,8 @@ Run setup_spindle(CLI::App& command) {
                   "speeds [rpm], such as 6000 or a range from:to:step; needs --steady")
       ->type_name("VALUES");
   command.add_flag("--steady", flags->steady, "calculate the steady state at each --speed");
-  declare_coolant(command, flags->coolant_on, "coolant, on or off; off: in all rows");
+  declare_coolant(command, flags->coolant_on,
+                  "coolant on or off; off switches the coolant off in all rows");
   add_number(command, "--ambient", flags->ambient, temperature_range,
              "air temperature in all rows [C]; default: column ambient_temperature_C, else "
              "[ambient] of the model");
@@ -185,8 +188,8 @@ Run setup_spindle(CLI::App& command) {
       ->type_name("FILE");
   declare(command, flags->reading);
   command.add_flag("--assumptions", flags->assumptions,
-                   "also write to --json the five assumed numbers with the largest influence on "
-                   "the nose displacement");
+                   "with --json: also write at most five assumed numbers with the largest "
+                   "influence on the nose displacement");
   flags->declare_results(command);
   command.footer(
       "Examples:\n  raceway spindle my.toml --speed 6000 --steady\n"

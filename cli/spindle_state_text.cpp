@@ -122,12 +122,14 @@ void print_heat(const spindle::HeatBalance& heat) {
 }
 
 void print_coolant(const spindle::ChannelFlow& flow) {
-  fmt::print("coolant: {} m/s, Reynolds number {}, film {} W/(m2 K), {} bar in the channel{}\n",
-             number(flow.velocity, 3), number(flow.reynolds, 3), number(flow.film, 3),
-             number(flow.pressure_drop / spindle::bar, 3),
-             flow.throttle_drop > 0.0 ? fmt::format(", {} bar at the throttle",
-                                                    number(flow.throttle_drop / spindle::bar, 3))
-                                      : std::string());
+  fmt::print(
+      "coolant: velocity {} m/s, Reynolds number {}, heat transfer coefficient {} W/(m2 K), "
+      "pressure drop {} bar in the channel{}\n",
+      number(flow.velocity, 3), number(flow.reynolds, 3), number(flow.film, 3),
+      number(flow.pressure_drop / spindle::bar, 3),
+      flow.throttle_drop > 0.0
+          ? fmt::format(", {} bar at the throttle", number(flow.throttle_drop / spindle::bar, 3))
+          : std::string());
 }
 
 /// Prints all circuits of a spindle with more than one.
@@ -176,12 +178,16 @@ void print_steady_state(const model::Model& model, const results::SteadyState& s
     print_coolant(*s.channels.front());
   if (model.spindle->network) return;
   const spindle::Moment& m = s.moment;
-  fmt::print("set forces: front {} N, rear {} N; {:.4g} N as mounted\n", number(m.front_force),
-             number(m.rear_force), shaft::mounted_arrangement(model).preload());
-  fmt::print("axial stiffness of the warm sets: {} N/um\n", number(s.axial_stiffness / N_per_um));
-  fmt::print("nose relative to flange: {} um, of which the sets cause {} um\n",
-             number(m.displacement / um), number(m.kinematic_displacement / um));
-  fmt::print("rear end of the shaft relative to flange: {} um\n",
+  fmt::print("forces of the bearing sets: front {} N, rear {} N; preload as mounted {:.4g} N\n",
+             number(m.front_force), number(m.rear_force),
+             shaft::mounted_arrangement(model).preload());
+  fmt::print("axial stiffness of the warm bearing sets: {} N/um\n",
+             number(s.axial_stiffness / N_per_um));
+  fmt::print(
+      "displacement of the nose relative to the flange: {} um, of which the bearing sets cause {} "
+      "um\n",
+      number(m.displacement / um), number(m.kinematic_displacement / um));
+  fmt::print("displacement of the rear end of the shaft relative to the flange: {} um\n",
              number(s.shaft.back().displacement / um));
 }
 

@@ -27,7 +27,8 @@ void print_assumptions(const results::Assumptions& assumptions) {
   }
   fmt::print(
       "\nlargest influences of {} assumed numbers on the nose displacement (steady state at {:.6g} "
-      "rpm): change if the number is smaller or larger by its usual spread\n\n{}",
+      "rpm): change of the displacement if the number is smaller or larger by its usual "
+      "spread\n\n{}",
       assumptions.assumed, assumptions.speed / rpm, table.text(terminal_width()));
 }
 
@@ -74,7 +75,7 @@ void print_run(const session::SpindleRun& found) {
              found.rows_reached(), found.rows_asked(), run.report.steps + run.report.rejected,
              run.report.rejected);
   if (!found.converged())
-    fmt::print("ended early after {:.6g} s: {}\n", run.end.time, run.report.message);
+    fmt::print("the simulation ended early after {:.6g} s: {}\n", run.end.time, run.report.message);
   if (run.moments.empty()) return;
   const spindle::Moment& m = run.moments.back();
   if (!model.spindle->network) {
@@ -84,7 +85,8 @@ void print_run(const session::SpindleRun& found) {
     const auto [least, most] =
         std::minmax_element(run.moments.begin(), run.moments.end(), by_displacement);
     fmt::print(
-        "nose relative to flange: {} um at the end, from {} um at {:.6g} s to {} um at {:.6g} s\n",
+        "displacement of the nose relative to the flange: {} um at the end, from {} um at {:.6g} s "
+        "to {} um at {:.6g} s\n",
         number(m.displacement / um), number(least->displacement / um), least->time,
         number(most->displacement / um), most->time);
     fmt::print("front force: {} N at the end, largest value {} N at {:.6g} s\n",

@@ -71,7 +71,7 @@ void StepCorrectionFlags::write(const session::SpindleSteps& steps, bool replace
     results::write_step_correction(written, file, replace);
     std::string tables;
     for (const auto& [name, text] : written.tables) tables += (tables.empty() ? "" : ", ") + name;
-    say(fmt::format("{} written, with {}", file, tables));
+    say(fmt::format("{} written, with its tables {}", file, tables));
   } catch (const std::invalid_argument& e) {
     throw text::InputError(fmt::format("raceway step-response: --correction: {}", e.what()),
                            {.key = "--correction"});

@@ -16,16 +16,16 @@ struct StepCorrectionFlags {
   std::string file, programme, law = "curve", lags = "auto";
 
   void declare(CLI::App& command);
-  /// Throws text::InputError for flags that exclude each other. `has_model` states whether the
-  /// command has a model.
+  /// Throws text::InputError for `--programme` without `--correction` or without a model, and for
+  /// `--correction -`. `has_model` is true if the command line names a model.
   void check(bool has_model) const;
   /// Throws text::InputError if write() would fail.
   void require_writable(text::IfExists if_exists,
                         const std::vector<std::string>& load_channels) const;
   /// Writes the correction and its tables, if they were requested.
   void write(const session::SpindleSteps& steps, bool replace) const;
-  /// Compares the written correction with the simulation over the programme, if a programme was
-  /// given.
+  /// Compares the written correction with the simulation over the programme. Returns nothing if no
+  /// programme was given.
   [[nodiscard]] std::optional<results::Superposition> superposition(
       const session::SpindleSteps& steps) const;
 };

@@ -37,15 +37,18 @@ void check_step_flags(const StepFlags& f) {
     throw text::InputError("raceway step-response: " + why, {.key = key});
   };
   if (f.imports() && !f.speed.empty())
-    refuse("--speed simulates step responses, but --import reads them; choose one", "--speed");
+    refuse("--speed simulates step responses, but --import and --load-case read them; choose one",
+           "--speed");
   if (f.imports() && (f.steps_loads() || !f.load_speed.empty()))
     refuse(
-        "--axial-load and --radial-load simulate load steps, but --import reads step responses; "
-        "choose one",
+        "--axial-load and --radial-load simulate load steps, but --import and --load-case read "
+        "step responses; choose one",
         f.steps_loads() ? f.axial_load.empty() ? "--radial-load" : "--axial-load" : "--load-speed");
-  if (!f.imports() && f.model.empty()) refuse("give MODEL or --import FILE", "MODEL");
+  if (!f.imports() && f.model.empty())
+    refuse("give MODEL or --import FILE or --load-case LOAD=FILE", "MODEL");
   if (!f.imports() && f.speed.empty())
-    refuse("give --speed, such as 2000:10000:2000, or --import FILE", "--speed");
+    refuse("give --speed, such as 2000:10000:2000, or --import FILE or --load-case LOAD=FILE",
+           "--speed");
   f.correction.check(!f.model.empty());
 }
 
@@ -144,7 +147,9 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("LOAD=FILE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--units", flags->units, "units of time histories; default s,um")
+  command
+      .add_option("--units", flags->units,
+                  "units of time and displacement in the time histories; default s,um")
       ->type_name("TIME,LENGTH");
   add_number(command, "--temperature", flags->temperature, temperature_range,
              "lubricant temperature [C] for the friction power of imported speeds; default: [rig] "

@@ -13,7 +13,7 @@ namespace {
 
 void print_load_steps(const std::vector<spindle::LoadSteps>& loads) {
   fmt::print(
-      "\nLoad steps at the nose of the spindle in its steady state: u = immediate + K (1 - "
+      "\nLoad steps at the nose of the spindle in its steady state: u = (at once) + K (1 - "
       "exp(-t/T))\n\n");
   TextTable table({{"step", "", true},
                    {"at once", "um"},

@@ -35,13 +35,13 @@ void print_table(const model::Model& model, const friction::StribeckTable& t) {
   };
   for (std::size_t k = 0; k < t.axes.temperature.size(); ++k) {
     if (model.bearing.rollers()) {
-      fmt::print("\n{:.4g} C, radial load across\n", celsius(t.axes.temperature[k]));
+      fmt::print("\n{:.4g} C, columns: radial load\n", celsius(t.axes.temperature[k]));
       print_across(t.axes.radial_load,
                    [&](std::size_t s, std::size_t r) { return t.index(s, 0, r, k); });
       continue;
     }
     for (std::size_t r = 0; r < t.axes.radial_load.size(); ++r) {
-      fmt::print("\nradial load {:.6g} N, {:.4g} C, axial load across\n", t.axes.radial_load[r],
+      fmt::print("\nradial load {:.6g} N, {:.4g} C, columns: axial load\n", t.axes.radial_load[r],
                  celsius(t.axes.temperature[k]));
       print_across(t.axes.axial_load,
                    [&](std::size_t s, std::size_t a) { return t.index(s, a, r, k); });

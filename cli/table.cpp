@@ -44,7 +44,8 @@ void check_flags(const TableFlags& f) {
   if (f.csv.format != "csv" && !f.slab.empty())
     fail("--slab", "--slab needs --format csv, because --merge reads only this format");
   if (!f.slab.empty() && (f.output.empty() || f.json))
-    fail("--slab", "--slab needs --output FILE, because it writes a file for --merge");
+    fail("--slab",
+         "--slab needs --output FILE, and excludes --json, because it writes a file for --merge");
   f.check_results("table");
   if (!f.plot.empty()) {
     text::require_name_of(f.plot, text::Written::picture);
@@ -172,8 +173,9 @@ Run setup_table(CLI::App& command) {
   const std::vector<CLI::Option*> declared = command.get_options();
   CLI::Option* const merge =
       command
-          .add_option("--merge", flags->merge,
-                      "files written by --slab, in any order, which are joined; replaces MODEL")
+          .add_option(
+              "--merge", flags->merge,
+              "files written by --slab, in any order; the command joins them and needs no MODEL")
           ->each([declared](const std::string&) {
             for (CLI::Option* const option : declared) option->required(false);
           })

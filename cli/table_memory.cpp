@@ -49,7 +49,7 @@ double memory() {
 /// "3 slabs, --slab 1/3 to 3/3": so many that each keeps within `most` of `all`.
 std::string slabs(double all, double most) {
   const double count = std::max(2.0, std::ceil(all / most));
-  if (!(count <= most_slabs)) return "even a million slabs are not enough";
+  if (!(count <= most_slabs)) return "even a million slabs are not enough; use fewer points";
   return fmt::format(
       "calculate the table in {0:.0f} slabs with --slab 1/{0:.0f} to --slab {0:.0f}/{0:.0f}",
       count);
@@ -90,7 +90,7 @@ void require_memory_to_merge(const std::vector<std::string>& files) {
   if (bytes > most)
     throw text::InputError(
         fmt::format("raceway table: the slabs and their table need {:.3g} GB of memory, but only "
-                    "{:.3g} GB are available",
+                    "{:.3g} GB are available; join them on a computer with more memory",
                     bytes / GB, most / GB));
 }
 

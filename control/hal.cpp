@@ -16,8 +16,8 @@ std::string control_hal(const ControlPlan& plan, std::string_view name, std::str
   std::string nets;
   for (const ControlAxis& a : plan.axes) {
     if (a.letter.empty())
-      throw text::InputError(fmt::format("{}: {}: LinuxCNC has no axis of this name; give the "
-                                         "axis, for example [export] axis = {{ {} = \"z\" }}",
+      throw text::InputError(fmt::format("{}: {}: this displacement has no axis of LinuxCNC; give "
+                                         "the axis, for example [export] axis = {{ {} = \"z\" }}",
                                          plan.source, a.column, a.column),
                              {.file = plan.source, .key = "axis"});
     std::string capital = a.letter;

@@ -186,7 +186,7 @@ class Planner {
                   temperatures.front()}))
       note(
           fmt::format("channel {}: the constant load or temperature is outside the range of {}; "
-                      "the program uses the value at the edge",
+                      "the program uses the torque at the edge of the table",
                       channel, t.file));
     plan_.tables.push_back(std::move(made));
     return plan_.tables.size() - 1;
@@ -278,8 +278,8 @@ class Planner {
       plan_.warnings.push_back(fmt::format("channel {}: {}", c.name, meaning));
     if (const double gap = 1.5 * f.sampling; plan_.settings.longest_gap_s < gap) {
       note(
-          fmt::format("longest_gap_s is {:g} s instead of {:g} s, because calls every {:g} s would "
-                      "otherwise be late",
+          fmt::format("longest_gap_s is set to {:g} s instead of {:g} s, because the program would "
+                      "report calls every {:g} s as late",
                       gap, plan_.settings.longest_gap_s, f.sampling));
       plan_.settings.longest_gap_s = gap;
       plan_.settings.clock_jump_s = std::max(plan_.settings.clock_jump_s, gap);

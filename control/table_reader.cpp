@@ -129,7 +129,7 @@ class TableReader {
     if (const std::size_t known = place_of(plan_, r.of); known != nowhere)
       return plan_.inputs[known];
     const record::Channel* const c = record::series_channel(r.of);
-    if (!make || !c || !c->is_input()) fail(r, "cannot be an input of a correction");
+    if (!make || !c || !c->is_input()) fail(r, "this column cannot be an input of a correction");
     plan_.inputs.push_back(input_of(*c));
     return plan_.inputs.back();
   }
@@ -137,7 +137,8 @@ class TableReader {
     for (ControlAxis& a : plan_.axes)
       if (a.column == r.of) return a;
     const record::Channel* const c = record::series_channel(r.of);
-    if (!make || !c || c->role != record::Role::measured) fail(r, "is no displacement");
+    if (!make || !c || c->role != record::Role::measured)
+      fail(r, "this column is not a displacement");
     plan_.axes.push_back({.column = std::string(r.of)});
     plan_.axes.back().angle = record::is_angle(*c);
     return plan_.axes.back();
@@ -194,7 +195,7 @@ class TableReader {
     } else if (first.part == "check") {
       read_check(part);
     } else if (count == 0) {
-      fail(first, "no such part");
+      fail(first, "a table has no part of this name");
     } else if (kind == "together") {
       read_together(part);
     } else if (kind == "section") {
@@ -214,7 +215,7 @@ class TableReader {
       require(part, law, kinematic_numbers);
       axis(first).kinematics.push_back(law);
     } else {
-      fail(first, "no such part");
+      fail(first, "a table has no part of this name");
     }
   }
 
@@ -237,7 +238,7 @@ class TableReader {
   void read_check(const Part& part) {
     for (const Row& r : part) {
       const std::vector<double> at = numbers_at(r.name, "at ", {" s"});
-      if (at.empty()) fail(r, "must have a name such as \"at 600 s\"");
+      if (at.empty()) fail(r, "the name must be a time such as \"at 600 s\"");
       const auto [found, fresh] = check_rows_.emplace(at.front(), plan_.check.rows.size());
       if (fresh)
         plan_.check.rows.push_back({at.front(), std::vector<double>(plan_.inputs.size(), unset),
@@ -272,11 +273,12 @@ class TableReader {
       } else if (r.name.starts_with(of_weight)) {
         const std::size_t next = t.weights.size() + 1;  // of the triangle, row by row
         const std::size_t size = t.inputs.size();
-        if (next > size * (size + 1) / 2) fail(r, "is one weight too many for the inputs above it");
+        if (next > size * (size + 1) / 2)
+          fail(r, "this weight is one too many for the inputs in the rows above");
         const std::size_t column = next - 1 - (size * (size - 1)) / 2;
         if (size == 0 || column >= size ||
             plan_.inputs[t.inputs[column]].column != r.name.substr(of_weight.size()))
-          fail(r, "is not the next weight of its input");
+          fail(r, "this weight is missing or not in the order of the inputs");
         t.weights.push_back(number(r));
       } else {
         fail_unknown(r);
@@ -316,7 +318,7 @@ class TableReader {
       if (r.name == "u") {
         u = r.value;
         const auto* const kind = std::find(drive_kinds.begin(), drive_kinds.end(), u);
-        if (kind == drive_kinds.end()) fail(r, "must be rise, size, power or motor");
+        if (kind == drive_kinds.end()) fail(r, "u must be rise, size, power or motor");
         d.kind = static_cast<ControlDrive::Kind>(kind - drive_kinds.begin());
       } else if (r.name == "input") {
         d.inputs.push_back(input_named(r, r.value));
@@ -332,7 +334,7 @@ class TableReader {
         d.window = input_named(r, r.value);
       } else if (r.name == "window_acts_on") {
         if (r.value != "input" && r.value != "displacement")
-          fail(r, "must be input or displacement");
+          fail(r, "window_acts_on must be input or displacement");
         d.window_of_drive = r.value == "input";
       } else if (r.name == "friction_table") {
         t.file = std::string(r.value);
@@ -359,7 +361,7 @@ class TableReader {
       fail_missing(first, "input");
     if (d.kind == Kind::motor && std::isnan(d.decay_rpm)) fail_missing(first, "decay_speed");
     if ((d.kind == Kind::power || d.kind == Kind::motor) && place_of(plan_, "speed_rpm") == nowhere)
-      fail(first, "depends on the speed, but the table has no input speed_rpm");
+      fail(first, "this part depends on the speed, but the table has no input speed_rpm");
     const bool rises = d.window_from <= d.window_full_from &&
                        d.window_full_from <= d.window_full_to && d.window_full_to <= d.window_to;
     if (d.window != nowhere && !rises)
@@ -381,7 +383,8 @@ class TableReader {
     std::size_t points = 1;
     for (const auto& axis : axes) points *= axis.size();
     if (torques.empty() || t.torque_Nmm.size() != points)
-      fail(first, "needs a torque at each speed, load and temperature");
+      fail(first,
+           "the friction table needs a torque at each combination of speed, load and temperature");
     const auto list = [](const std::set<double>& axis) {
       return std::vector<double>(axis.begin(), axis.end());
     };
@@ -390,7 +393,9 @@ class TableReader {
     if (d.axial_load != nowhere || t.axial_load_N.empty()) t.axial_load_N = list(axes[2]);
     t.speed_rpm = list(axes[3]);
     if (d.temperature == nowhere && t.temperature_C.size() > 1)
-      fail(first, "has torques at several temperatures, so temperature must name an input");
+      fail(first,
+           "the friction table has several temperatures, so this part needs a row temperature that "
+           "names an input");
     d.table = plan_.tables.size();
     plan_.tables.push_back(std::move(t));
   }
@@ -399,7 +404,7 @@ class TableReader {
     ControlSection s{.channel = std::string(part.front().channel)};
     for (const Row& r : read_driven(part, s, section_numbers)) {
       if (r.name != "course") fail_unknown(r);
-      if (r.value != "straight" && r.value != "held") fail(r, "must be straight or held");
+      if (r.value != "straight" && r.value != "held") fail(r, "course must be straight or held");
       s.straight = r.value == "straight";
     }
     a.sections.push_back(std::move(s));
@@ -410,7 +415,8 @@ class TableReader {
     const Part others = read_driven(part, e, element_numbers);
     const ControlDrive& d = plan_.drives.back();
     if (d.kind != ControlDrive::Kind::power && d.kind != ControlDrive::Kind::size)
-      fail(part.front(), "needs a power or a load: u must be power or size");
+      fail(part.front(),
+           "a delay element needs a power or a load as input: u must be power or size");
     e.gain_um = curve(part.front(), others, "gain", d.unit);
     e.time_constant_s = curve(part.front(), others, "time_constant", d.unit);
     for (const Row& r : others)
@@ -427,11 +433,11 @@ class TableReader {
                                         : name == "denominator" ? &e.denominator
                                                                 : nullptr;
       if (!list) fail_unknown(r);
-      if (place != list->size()) fail(r, "is not the next coefficient of the polynomial");
+      if (place != list->size()) fail(r, "this coefficient is not the next one of its polynomial");
       list->push_back(number(r));
     }
     if (e.numerator.size() != e.denominator.size())
-      fail(part.front(), "numerator and denominator must have the same length");
+      fail(part.front(), "numerator and denominator must have the same number of coefficients");
     a.equations.push_back(std::move(e));
   }
 
@@ -447,7 +453,7 @@ class TableReader {
       const std::string_view what = r.name.substr(name.size() + 1);
       if (const auto at = numbers_at(what, "at ", {end}); !at.empty()) {
         if (!c.input.empty() && at.front() <= c.input.back())
-          fail(r, "the input must increase from row to row");
+          fail(r, "the input values of a curve must increase from row to row");
         c.input.push_back(at.front());
         c.value.push_back(number(r));
         continue;
@@ -491,14 +497,15 @@ class TableReader {
     for (const ControlAxis& a : plan_.axes)
       for (const ControlEquation& e : a.equations)
         if (e.sampling_s != sampling_of(plan_))
-          throw text::InputError(
-              fmt::format("{}: {}: the equations have two sampling intervals, {} s and {} s",
-                          source_, a.column, sampling_of(plan_), e.sampling_s),
-              {.file = source_, .key = "sampling"});
+          throw text::InputError(fmt::format("{}: {}: all difference equations need the same "
+                                             "sampling interval, but the table has {} s and {} s",
+                                             source_, a.column, sampling_of(plan_), e.sampling_s),
+                                 {.file = source_, .key = "sampling"});
     for (const ControlInput& in : plan_.inputs)
       if (!(in.lowest <= in.highest) && !(std::isnan(in.lowest) && std::isnan(in.highest)))
-        throw text::InputError(fmt::format("{}: {}, input: lowest = {} and highest = {}", source_,
-                                           in.column, in.lowest, in.highest),
+        throw text::InputError(fmt::format("{}: {}, input: lowest = {} and highest = {}: give both "
+                                           "or neither, and lowest must not exceed highest",
+                                           source_, in.column, in.lowest, in.highest),
                                {.file = source_, .key = in.column});
   }
 

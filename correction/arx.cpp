@@ -118,7 +118,9 @@ Eigen::VectorXd one_step_fit(const Even& even, const Row& row, std::size_t end) 
   for (std::size_t k = 0; k < end; ++k)
     if (row.has_past(k)) points.push_back(k);
   if (static_cast<Eigen::Index>(points.size()) < 3 * row.size())
-    throw std::invalid_argument("too few readings for this number of parameters");
+    throw std::invalid_argument(
+        "too few readings to fit the parameters of the ARX model: use a longer record or fewer "
+        "inputs");
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(points.size()), row.size());
   Eigen::VectorXd y(columns.rows());
   for (std::size_t i = 0; i < points.size(); ++i) {

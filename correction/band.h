@@ -28,7 +28,7 @@ struct Band {
   /// result of extrapolated(), the change of the prediction beyond the range of the fit.
   ///
   /// Domain:   records that start at rest. For a machine that is warm at the start, the initial
-  ///           states and the offset are fitted to the record. They are assumed exact.
+  ///           states and the offset are fitted to the record and assumed exact.
   /// Accuracy: linear in the parameters. g is computed by central differences along the principal
   ///           axes of C.
   [[nodiscard]] std::vector<double> half_width() const;

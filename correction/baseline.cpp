@@ -30,7 +30,7 @@ std::vector<DrivenChannel> bare_channels(const Model& model,
     if (c.input.is_power())
       messages.push_back(record::note::rows_used(
           fmt::format("channel {} is left out: a regression uses only columns of the record, but "
-                      "this channel has a calculated power",
+                      "the input of this channel is a calculated power",
                       c.name),
           {.key = c.name}));
     else
@@ -45,7 +45,8 @@ std::vector<DrivenChannel> bare_channels(const Model& model,
                     .input = {.name = std::string(column->name), .columns = {column}}});
   }
   if (list.empty())
-    throw std::invalid_argument("the model has no channel with a column, and --inputs names none");
+    throw std::invalid_argument(
+        "no channel of the model has a column as input, and --inputs names no column");
   return list;
 }
 
@@ -157,10 +158,11 @@ Identification regression_baseline(const Model& model, const std::vector<const C
     if (design.add(c.input))
       found.channels.push_back(std::move(c));
     else
-      result.messages.push_back(record::note::rows_used(
-          fmt::format("{} is constant or a combination of the other inputs: it is left out",
-                      c.name),
-          {.key = c.name}));
+      result.messages.push_back(
+          record::note::rows_used(fmt::format("channel {} is left out: its input is constant or a "
+                                              "linear combination of the other inputs",
+                                              c.name),
+                                  {.key = c.name}));
   }
   if (found.channels.empty()) throw std::invalid_argument("no input varies");
   if (design.y().size() < 3 * design.columns().cols())
@@ -212,8 +214,9 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   see(found, record);
   found.evidence = evidence_on(found, record, result.rms_held_out);
   result.model = std::move(found);
-  result.messages.push_back(record::note::limits(
-      "a regression uses only the inputs of the same row, and extrapolates linearly"));
+  result.messages.push_back(
+      record::note::limits("a regression predicts each row from the inputs of this row only, and "
+                           "extrapolates linearly"));
   return result;
 }
 

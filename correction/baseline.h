@@ -14,11 +14,11 @@ namespace raceway::correction {
 
 /// Fits a multiple linear regression of the displacement on the inputs of the model's channels and
 /// on the columns `offered`. Each input becomes a channel with only a feedthrough, so the result is
-/// simulated like every other model. It has no memory and extrapolates linearly. The fit leaves out
-/// channels driven by a power, inputs that never vary, and inputs that depend linearly on other
-/// inputs. A message names each omitted input. The standard errors include the autocorrelation of
-/// the residual. For the held-out error, eight parts of the record are each predicted with
-/// coefficients that are fitted to the other seven.
+/// simulated like every other model. The regression has no memory and extrapolates linearly. The
+/// fit leaves out channels driven by a power, inputs that never vary, and inputs that depend
+/// linearly on other inputs. A message names each omitted input. The standard errors include the
+/// autocorrelation of the residual. For the held-out error, eight parts of the record are each
+/// predicted with coefficients that are fitted to the other seven.
 ///
 /// Throws std::invalid_argument if no input varies, or if there are fewer than three readings per
 /// coefficient.
@@ -73,8 +73,8 @@ struct ArxBaseline {
   [[nodiscard]] const ArxFit* best() const;
 };
 
-/// Returns a model whose channels are the transfer functions of `fit`. It is valid only for records
-/// with the sampling interval of `baseline`.
+/// Returns a model whose channels are the transfer functions of `fit`. The model is valid only for
+/// records with the sampling interval of `baseline`.
 [[nodiscard]] Model with_arx(const Model& model, const ArxBaseline& baseline, const ArxFit& fit);
 
 /// Fits ARX models of the orders `lowest` to `highest` on an even time grid. The step of the grid

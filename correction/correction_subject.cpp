@@ -235,7 +235,7 @@ void CorrectionSubject::require(const fit::Record& record) const {
                                   [](double value) { return !std::isfinite(value); });
     if (bad != driving->end())
       throw std::invalid_argument(
-          fmt::format("the formula of effect {} gives no number in {}", e.id,
+          fmt::format("the formula of effect {} gives no finite value in {}", e.id,
                       record.place(static_cast<std::size_t>(bad - driving->begin()))));
   }
 }
@@ -416,7 +416,7 @@ std::string CorrectionSubject::meant_by(const std::string& id) const {
   }
   if (of_its_kind.size() > 1)
     throw std::invalid_argument(
-        fmt::format("{}: which one? {}", id, fmt::join(of_its_kind, " or ")));
+        fmt::format("the effect {} is ambiguous: write {}", id, fmt::join(of_its_kind, " or ")));
   return of_its_kind.empty() ? id : of_its_kind.front();
 }
 
@@ -431,11 +431,11 @@ Effect CorrectionSubject::as_switched_on(const std::string& id) const {
       throw std::invalid_argument(e.off ? fmt::format("{}: needs {}", id, e.own->card().needs)
                                         : fmt::format("{}: the model already has this effect", id));
   if (const EffectCard* const card = find_card(id))
-    throw std::invalid_argument(card->evidence
-                                    ? fmt::format("{}: the record itself shows this effect, which "
-                                                  "has no parameter, so add cannot write it",
-                                                  id)
-                                    : fmt::format("{}: needs {}", id, card->needs));
+    throw std::invalid_argument(
+        card->evidence ? fmt::format("{}: this effect is a fault of the record and has no "
+                                     "parameter, so add cannot write it to a model",
+                                     id)
+                       : fmt::format("{}: needs {}", id, card->needs));
   throw std::invalid_argument(
       fmt::format("unknown effect \"{}\"; nearest: {}", id, record::nearest_names(id, known, 3)));
 }

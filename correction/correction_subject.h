@@ -31,8 +31,8 @@ class CorrectionSubject : public fit::Subject {
   /// residual and held-out error of an earlier fit are removed.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// Copies the input ranges of `model`, which informed_by() removes. Call it to apply the fitted
-  /// parameters of `model` to another record.
+  /// Copies the input ranges of `model`, which informed_by() removes. Call this function to apply
+  /// the fitted parameters of `model` to another record.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -48,11 +48,11 @@ class CorrectionSubject : public fit::Subject {
   /// Returns the full id, such as "second-time-constant:ambient", of the effect that the user
   /// named. The user may omit the channel or column after the colon if only one possible effect has
   /// this id. The full id omits the name of the first channel, but the user may write it. Unknown
-  /// ids are returned unchanged. Throws std::invalid_argument if several effects match. Call it on
-  /// the result of informed_by().
+  /// ids are returned unchanged. Throws std::invalid_argument if several effects match. Call this
+  /// function on the result of informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
   /// Returns the possible faults of the record: exchanged columns, a loose sensor, and a sensor
-  /// with coarse resolution (see correction/effects/). Call it on a fitted model.
+  /// with coarse resolution (see correction/effects/). Call this function on a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
   /// Returns the parts of the record that a test of the prediction holds out: eight consecutive
   /// parts with equal numbers of readings, or an empty list for fewer than 16 readings. If the

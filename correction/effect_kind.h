@@ -17,7 +17,7 @@ namespace raceway::correction {
 struct EffectCard {
   std::string_view id;
   std::string_view title;
-  std::string_view form;  ///< formula with the input u, the state x of a lag and the displacement y
+  std::string_view form;      ///< formula with input u, state x of a lag and displacement y
   std::string_view needs;     ///< properties of a record in which the effect can be identified
   std::string_view confused;  ///< effects with a similar influence on the displacement
   /// Parameters in the units of the model file. The unit "um/u" means um per unit of the input.
@@ -30,8 +30,8 @@ struct EffectCard {
   bool by_column = false;
   bool by_window = false;   ///< true: the effect may be limited to a range of an axis position
   bool of_reading = false;  ///< true: valid only for the record of the fit, not for a control
-  /// True for a fault that faults() finds in the record. It has no parameter, and a model never
-  /// contains it.
+  /// True for a fault that faults() finds in the record. Such an effect has no parameter, and a
+  /// model never contains it.
   bool evidence = false;
   bool needs_input = false;  ///< true: a file must name the columns of the effect
 };

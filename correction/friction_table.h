@@ -15,7 +15,7 @@ struct FrictionTable {
     double speed, axial_load, radial_load, temperature;
   };
 
-  std::string file{};  ///< file name as in the model
+  std::string file{};  ///< file name as in the model file
   /// Axes, each with one or more rising values; units as in Point.
   std::vector<double> speed{}, axial_load{0.0}, radial_load{0.0}, temperature{};
   /// Friction torque [N m]; speed varies fastest, then axial load, radial load and temperature.

@@ -54,8 +54,8 @@ UnknownsFilter::UnknownsFilter(std::vector<Unknown> unknowns)
       p_(Eigen::MatrixXd::Zero(index(unknowns_.size()), index(unknowns_.size()))) {
   for (std::size_t k = 0; k < unknowns_.size(); ++k) {
     if (!(unknowns_[k].std > 0.0) || !(unknowns_[k].memory > 0.0))
-      throw std::invalid_argument(unknowns_[k].name +
-                                  ": standard deviation and memory must be above 0");
+      throw std::invalid_argument(
+          unknowns_[k].name + ": standard deviation and correlation time (memory) must be above 0");
     reset(k);
   }
 }

@@ -19,8 +19,8 @@ namespace raceway::correction {
 /// walk.
 struct Unknown {
   std::string name{};
-  double std = unset;                                       ///< s, in the unit of the unknown
-  double memory = std::numeric_limits<double>::infinity();  ///< T [s]
+  double std = unset;  ///< standard deviation s, in the unit of the unknown
+  double memory = std::numeric_limits<double>::infinity();  ///< time constant T [s]
   double walk = 0.0;         ///< q, in the unit of the unknown per root of a second
   double first_std = unset;  ///< standard deviation at the start; NaN: s
   double bound = std::numeric_limits<double>::infinity();  ///< largest allowed absolute value

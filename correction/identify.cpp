@@ -100,7 +100,7 @@ class Search {
     stop_where_cancelled();
     if (a.fit.values.size() == 0)
       throw std::invalid_argument(
-          "the model with its start values has no finite error on this record; check the start "
+          "the start values of the model give no finite RMS error on this record; check the start "
           "values and the units of the columns");
     tolerance::hold_out(a, *recorded_);
     stop_where_cancelled();
@@ -120,8 +120,8 @@ class Search {
   void first_channel() {
     if (options_.offered.empty())
       throw std::invalid_argument(
-          "the model has no channel and no input column: name some with --inputs, or use all with "
-          "--lags auto");
+          "the model has no channel, and no input column is given: name input columns with "
+          "--inputs, or use all columns with --lags auto");
     double least = std::numeric_limits<double>::infinity();
     Model best;
     for (const Channel* column : options_.offered) {
@@ -162,7 +162,7 @@ class Search {
     std::size_t at = 0;
     const auto consider = [&](Model with, double worth) {
       if (options_.progress)
-        options_.progress(std::min(0.9, 0.2 * round), "trying a larger structure");
+        options_.progress(std::min(0.9, 0.2 * round), "trying one more section or channel");
       Approximation a = fitted(with);
       if (error(a) < least) {
         least = error(a);
@@ -313,8 +313,8 @@ class Search {
             {.key = p.name}));
     if (std::isnan(result_.rms_held_out))
       tell(
-          record::note::limits("there are too few readings to hold parts out: the number of "
-                               "sections is chosen by the error of the fit itself"));
+          record::note::limits("there are too few readings for a held-out test: the RMS error of "
+                               "the fit decides the number of sections"));
     if (result_.condition > 1e6)
       tell(record::note::not_identifiable(fmt::format(
           "some fitted parameters are nearly dependent (condition number {:.1e}): the record "

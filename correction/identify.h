@@ -39,9 +39,9 @@ struct AheadError {
 /// Strength λ and speed weight s that identify_lag_bank() tried: see lag_bank.h.
 struct StrengthTried {
   double strength = unset;      ///< λ [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
-  double speed_weight = unset;  ///< [1]
+  double speed_weight = unset;  ///< weight s of speeds in the penalty [1]
   double rms_ahead = unset;  ///< mean over all initial parts of the rms error on later readings [m]
-  double share = unset;      ///< weight in the final gains [1]
+  double share = unset;      ///< weight of this λ and s in the mean of the gains [1]
 };
 
 /// A model identified from a record.
@@ -68,13 +68,13 @@ struct Identification {
   [[nodiscard]] bool is_bank() const { return !strengths.empty(); }
 };
 
-/// Returns a new channel without lags that this column drives. Its name is made from the name of
-/// the column and differs from the channel names of `model`.
+/// Returns a new channel without lags that this column drives. The name of the channel is made from
+/// the name of the column and differs from the channel names of `model`.
 [[nodiscard]] DrivenChannel driven_by(const Channel& column, const Model& model);
 
 /// Identifies the inputs, the number of lags and the parameters of a model from a record. Gains and
 /// time constants are fitted by variable projection with many starts. The program adds channels and
-/// lags while the rms error on eight held-out parts decreases (see IdentifyOptions). This search
+/// lags while the rms error on eight held-out parts decreases (see IdentifyOptions). The search
 /// uses means of neighbouring rows; at the end, the parameters are fitted to the single rows.
 /// Gains, time constants and the kinematic law of `model` are start values. Delay elements and
 /// transfer functions with published coefficients remain unchanged.

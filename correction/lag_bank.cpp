@@ -51,7 +51,7 @@ class Bank {
     for (const double lag : lags_)
       if (!(lag >= 0.0) || !std::isfinite(lag))
         throw std::invalid_argument(
-            fmt::format("a lag of {:g} s: must be 0 or more, and finite", lag));
+            fmt::format("lag = {:g} s: must be 0 or more, and finite", lag));
     for (const Channel* c : options.inputs) add(*c);
     collect();
   }
@@ -67,8 +67,8 @@ class Bank {
   void require_bare() const {
     if (!model_.channels.empty() || model_.kinematic || !model_.effects.empty())
       throw std::invalid_argument(
-          "a bank of lags replaces channels, effects and the kinematic law: give it a model "
-          "without them");
+          "a bank of lags replaces channels, effects and the kinematic law: remove them from the "
+          "model");
     if (model_.initial_state == InitialState::free)
       throw std::invalid_argument(
           "a bank of lags starts from a machine at rest: remove initial_state = \"free\"");
@@ -171,7 +171,8 @@ class Bank {
     for (const Sums& s : sums_)
       if (s.readings < x_.cols() || (&s != &sums_.back() && s.readings == x_.rows()))
         throw std::invalid_argument(
-            "the readings start too late or end too early: none remain to test the prediction");
+            "the readings start too late for the fit or end too early for the test of the "
+            "prediction: record readings from start to end");
   }
 
   struct Sums {
@@ -240,7 +241,8 @@ class Bank {
     }
     result_.rms_held_out = sum / cuts;
     const Eigen::VectorXd gains = mean_gains(sums_.size() - 1);
-    if (!gains.allFinite()) throw std::invalid_argument("the gains of the bank are not finite");
+    if (!gains.allFinite())
+      throw std::invalid_argument("the fitted gains of the bank of lags are not finite");
     model_.offset = gains[0] * um;
     for (std::size_t j = 0; j < inputs_.size(); ++j) {
       DrivenChannel& c = model_.channels[inputs_[j].channel];
@@ -269,9 +271,9 @@ class Bank {
         result_.strengths.begin(), result_.strengths.end(),
         [](const StrengthTried& a, const StrengthTried& b) { return a.rms_ahead < b.rms_ahead; });
     if (best->strength == strengths.front() || best->strength == strengths.back())
-      result_.messages.push_back(record::note::at_bound(
-          fmt::format("the best ridge strength, {:g}, is the {} of the tested values",
-                      best->strength, best->strength == strengths.front() ? "least" : "largest")));
+      result_.messages.push_back(record::note::at_bound(fmt::format(
+          "the best ridge strength, {:g}, is the {} of the tested values", best->strength,
+          best->strength == strengths.front() ? "smallest" : "largest")));
   }
 
   void step(double share, std::string_view what) const {

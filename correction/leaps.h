@@ -27,8 +27,9 @@ inline constexpr double seen_leap_of_a_sensor = 0.5;
 
 /// Returns the indices of rows at which a temperature jumps, faster than a body with heat capacity
 /// can. The change from the previous row exceeds 0.5 K, and is more than four times the previous
-/// change and the next change. Both rows must belong to one run. The time step must be at most 1.5
-/// times the step before it. The speed must be the same in this row and the three rows before it.
+/// change and the next change. The rows before and after the jump must belong to one run. The time
+/// step of the jump must be at most 1.5 times the time step before it. The speed must be the same
+/// in this row and the three rows before it.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
                                                     const record::Channel& column);
 

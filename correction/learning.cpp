@@ -165,8 +165,8 @@ class Learner {
     if (result_.readings.back().zeroed) {
       filter_->reset(the_zero);
       is_due(jumped, row,
-             fmt::format("the readings jump by {:.3g} {}: something was clamped again or was hit, "
-                         "or the model is not valid",
+             fmt::format("the readings jump by {:.3g} {}: a part of the setup was clamped again or "
+                         "hit, or the model is not valid",
                          off / um, unit_of(model_)));
     } else if (has_zero_) {
       remember(off, row);
@@ -179,7 +179,8 @@ class Learner {
     has_zero_ = true;
     for (std::size_t k = 0; k < parts_.size(); ++k)
       if (filter_->at_bound(first_part_ + k))
-        is_due(bounded + k, row, fmt::format("{} has reached its bound", parts_[k].unknown.name));
+        is_due(bounded + k, row,
+               fmt::format("the learnt gain of {} has reached its bound", parts_[k].unknown.name));
   }
 
   /// What an innovation says of the model: of its level, and whether it still holds.
@@ -192,7 +193,7 @@ class Learner {
     for (const double s : last_) sum += s;
     if (sum > chi_squared_of_judged)
       is_due(too_far, row,
-             fmt::format("{} consecutive readings have {:.2g} times the error that a misfit of "
+             fmt::format("{} consecutive readings have {:.2g} times the RMS error that a misfit of "
                          "{:.3g} {} explains",
                          judged, std::sqrt(sum / static_cast<double>(judged)), result_.misfit / um,
                          unit_of(model_)));

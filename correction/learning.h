@@ -48,7 +48,7 @@ struct LearntGain {
   /// Relative change of the gain of the model [1]. For an additional lag: displacement that the lag
   /// adds for half the range of its input [m].
   double value = 0.0;
-  double std = unset;  ///< standard deviation, in the unit of `value`
+  double std = unset;  ///< standard deviation of `value`, in the same unit
   bool is_lag = false, at_bound = false;
 };
 
@@ -76,7 +76,7 @@ struct Learning {
   std::vector<LearntGain> gains{};
   std::vector<IdentificationDue> due{};
   ErrorBetween error{};
-  double tolerance = unset;  ///< [m]
+  double tolerance = unset;  ///< tolerance of the model [m]
   /// Number of rows in which the standard deviation of the prediction exceeds the tolerance.
   std::size_t rows_beyond_tolerance = 0;
   /// Time from the last row until the standard deviation of the prediction exceeds the tolerance,
@@ -96,7 +96,7 @@ struct Learning {
 /// y is the reading, and f is the prediction of the model with its contributions c_j. "Misfit" is
 /// LearningOptions::misfit. The zero z of a run is unknown until its first reading. Afterwards z is
 /// a random walk of one misfit per root of an hour, plus a drift of half a misfit per hour
-/// (standard deviation) with a correlation time of 12 h. The d_i describe the residual. They are
+/// (standard deviation) with a correlation time of 12 h. The d_i describe the residual as
 /// independent processes: one with a correlation time of half an hour, and one for each clearly
 /// longer time constant of the model (24 h at most). The standard deviation of the sum of the d_i
 /// is a fifth of a misfit. The a_j are relative changes of the contributions c_j. The b_l are gains
@@ -108,9 +108,9 @@ struct Learning {
 /// The mean includes the expected ratio of 1 with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
-/// deviations. The next reading is then used regardless of the interval. If the next reading is
-/// also outside this limit, it resets the zero in two cases: it agrees with the rejected reading,
-/// or the two readings before it were rejected.
+/// deviations. The next reading is then used regardless of the interval. If the reading after a
+/// rejected one is also outside this limit, it resets the zero in two cases: it agrees with the
+/// rejected reading, or the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. The standard deviations and times are our choice, based on the record
 ///           of docs/correction.md with models from three initial parts of this record.

@@ -45,7 +45,7 @@ struct Window {
 
 /// Coordinate on one axis of a friction table: a constant, or the value of a record column.
 struct TableCoordinate {
-  double value = unset;  ///< SI
+  double value = unset;  ///< constant [SI]
   const Channel* column = nullptr;
 };
 
@@ -137,14 +137,14 @@ struct NumberPrior {
 
 /// Range of an input in the data of the fit.
 struct SeenRange {
-  const Channel* column = nullptr;      ///< null: the power of a channel
+  const Channel* column = nullptr;      ///< column of the input; null: the power of a channel
   std::string name{};                   ///< name of the column or the channel
   double lower = unset, upper = unset;  ///< [SI]; a temperature in K, not its change
   double still = unset;  ///< longest time without a change of a temperature [s]; NaN: unknown
 };
 
-/// Distribution of all inputs in the data of the fit. It identifies combinations of inputs that
-/// never occurred, even if each input is within its own range.
+/// Distribution of all inputs in the data of the fit. The distribution shows which combinations of
+/// inputs never occurred, even if each input is within its own range.
 struct SeenTogether {
   std::vector<const Channel*> columns{};  ///< input columns that vary in the data
   /// Mean and standard deviation of each column [SI]; of the absolute values for speeds, feeds and
@@ -158,7 +158,7 @@ struct SeenTogether {
 /// Residual of the fitted model.
 struct Left {
   double rms = unset;               ///< rms on held-out parts, or of the fit without them [m]
-  double correlation_time = unset;  ///< [s]
+  double correlation_time = unset;  ///< correlation time of the residual [s]
 };
 
 /// Errors of a fitted model on readings that the fit did not use. trust_of() rates the model from
@@ -176,11 +176,11 @@ struct Evidence {
 struct Model {
   std::string name{};
   const Channel* displacement = nullptr;
-  double tolerance = unset;     ///< [m]
-  double measured_std = unset;  ///< [m]
+  double tolerance = unset;     ///< largest acceptable rms error [m]
+  double measured_std = unset;  ///< standard deviation of the noise of a reading [m]
   InitialState initial_state = InitialState::rest;
   double sampling = unset;  ///< sampling interval of published coefficients [s]
-  double offset = 0.0;      ///< [m]
+  double offset = 0.0;      ///< displacement without inputs [m]
   std::vector<DrivenChannel> channels{};
   std::optional<Kinematic> kinematic{};
   std::vector<Effect> effects{};

@@ -48,7 +48,8 @@ struct Number {
 /// law describes faster responses.
 [[nodiscard]] double shortest_time_constant(const Input& input, const TimeConstantLimits& limits);
 
-/// Returns the channel with this name, or the first one for an empty name; null if there is none.
+/// Returns the channel with this name, or the first channel for an empty name; null if there is
+/// none.
 [[nodiscard]] const DrivenChannel* find_channel(const Model& model, std::string_view name);
 
 /// Returns the input of an effect: see EffectKind::input().

@@ -61,12 +61,13 @@ OwnEffect::OwnEffect(Given given) : given_(std::move(given)) {
   if (given_.lags) numbers_.push_back(time_constant_number);
   for (const Number& n : given_.parameters) numbers_.push_back(card_of_number(n));
   if (given_.title.empty()) given_.title = "formula of the model file";
-  card_ = {.id = given_.id,
-           .title = given_.title,
-           .form = given_.formula,
-           .needs = "the columns of its formula; at least one of them must vary",
-           .confused = "",
-           .numbers = numbers_};
+  card_ = {
+      .id = given_.id,
+      .title = given_.title,
+      .form = given_.formula,
+      .needs = "all columns that its formula uses, and at least one of these columns must vary",
+      .confused = "",
+      .numbers = numbers_};
 }
 
 std::string OwnEffect::key(const Effect&, std::size_t number, const Model&) const {

@@ -21,7 +21,7 @@ class OwnEffect final : public EffectKind {
   struct Number {
     std::string name{}, unit{};
     double value = 0.0;
-    double lower = unset, upper = unset;  ///< NaN: unbounded
+    double lower = unset, upper = unset;  ///< bounds for a fit; NaN: unbounded
     bool in_braces = false;  ///< true: the model file gives value, unit and bounds in braces
   };
   struct Given {
@@ -34,8 +34,8 @@ class OwnEffect final : public EffectKind {
   explicit OwnEffect(Given given);
 
   [[nodiscard]] const Given& given() const { return given_; }
-  /// Returns the description of the effect. Its parameters are the gain [um], the time constant if
-  /// there is one, and the parameters of the formula.
+  /// Returns the description of the effect. The parameters of the effect are the gain [um], the
+  /// time constant if there is one, and the parameters of the formula.
   [[nodiscard]] const EffectCard& card() const override { return card_; }
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
   [[nodiscard]] bool follows_a_temperature() const;

@@ -9,8 +9,8 @@
 namespace raceway::correction {
 
 /// Returns the resolution of a column [SI]: the smallest difference between two values, if all
-/// other differences are multiples of it. Otherwise the result is NaN. The result is also NaN for
-/// fewer than three or more than 2000 different values.
+/// other differences are multiples of it. The result is NaN if the differences are not such
+/// multiples, and for fewer than three or more than 2000 different values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
 /// Limit for time steps of a record, in multiples of the median step [1]. A longer step is a gap.
@@ -18,7 +18,7 @@ inline constexpr double a_gap = 20.0;
 
 /// Longest time without a change of a column, and the time at which it begins.
 struct Still {
-  double longest = 0.0, from = 0.0;  ///< [s]
+  double longest = 0.0, from = 0.0;  ///< duration and start [s]
 };
 
 /// Returns the longest time for which the values of a column are constant. A new run or a gap ends

@@ -67,7 +67,7 @@ struct Beyond {
     /// Number of rows outside the range, and the first of these rows.
     std::size_t rows = 0, first = 0;
     double value = unset;     ///< value in the row `first`
-    double farthest = unset;  ///< value farthest outside the range
+    double farthest = unset;  ///< value of the row farthest outside the range
     [[nodiscard]] bool together() const { return name.empty(); }
   };
   std::vector<Part> parts{};   ///< exceeded ranges, the joint range last
@@ -80,8 +80,8 @@ struct Beyond {
 /// Returns the size of the extrapolation at every row [m]: the sum over all contributions (see
 /// contributions()) of |contribution - contribution with limited inputs|. Each limited input is
 /// clipped to its range; then all inputs are moved towards their means until they are inside the
-/// joint range. The result is 0 if no row is outside a range. After such a row, the result stays
-/// above 0 for some time, because lags have memory.
+/// joint range. The result is 0 if no row is outside a range. After a row outside a range, the
+/// result stays above 0 for some time, because lags have memory.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

@@ -103,9 +103,12 @@ class Checking {
                                    "columns change: check the sensor",
                                    channel.name, still.longest / 60.0, still.from));
     if (jumps > 0)
-      warn_of(channel, fmt::format("{} jumps by more than {} {} time{}, first before {}",
-                                   channel.name, amount(channel, leap), jumps,
-                                   jumps == 1 ? "" : "s", record_.place(first_jump)));
+      warn_of(
+          channel,
+          fmt::format(
+              "{} jumps by more than {} between two rows ({} time{}; the first jump ends at {})",
+              channel.name, amount(channel, leap), jumps, jumps == 1 ? "" : "s",
+              record_.place(first_jump)));
   }
 
   /// Whether another temperature goes over a good part of its range between two times.
@@ -211,7 +214,7 @@ std::string beyond_element(const Model& model, const record::Record& record) {
           c.name, x, unit, record.place(k), c.input.is_power() ? "power" : "input",
           std::isfinite(takes.lower) && takes.lower != 0.0
               ? fmt::format("from {:.4g} to {:.4g} {}", takes.lower, takes.upper, unit)
-          : x < 0.0 ? fmt::format("from 0 {} on", unit)
+          : x < 0.0 ? fmt::format("at 0 {} or more", unit)
                     : fmt::format("below {:.4g} {}", takes.upper, unit));
     }
   }

@@ -38,7 +38,7 @@ struct RecordCheck {
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};  ///< checks of the published transfer functions of the model
   std::vector<record::Note> warnings{};
-  /// Warnings about sensors that are inputs of the model. `warnings` contains them too.
+  /// Warnings about sensors that are inputs of the model. `warnings` contains these warnings too.
   std::vector<record::Note> of_its_inputs{};
 };
 

@@ -12,7 +12,7 @@ Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readin
     throw std::invalid_argument("a regression needs at least as many rows as columns");
   const algebra::PivotedQr qr(columns);
   if (qr.rank() < columns.cols())
-    throw std::invalid_argument("columns of the regression depend on each other");
+    throw std::invalid_argument("columns of the regression are linearly dependent");
   Regression result;
   result.coefficients = qr.solve(readings);
   result.rms = (readings - columns * result.coefficients).norm() /

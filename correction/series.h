@@ -16,7 +16,7 @@ namespace raceway::correction {
 
 /// Changes that effects make to the gain and the time constant τ of a channel's lags.
 struct Answer {
-  double sensor_time_constant = 0.0;               ///< of the sensor [s]: see effects/sensor_lag.h
+  double sensor_time_constant = 0.0;  ///< time constant of the sensor [s]: see effects/sensor_lag.h
   double off_gain = 1.0, off_time_constant = 1.0;  ///< factors on gain and τ while coolant_on is 0
   /// Parameters s and g of effects/speed_dependent_time_constant.h.
   double speed_factor = 0.0, gain_power = 1.0;
@@ -76,16 +76,16 @@ class Series {
   /// Returns n^(1 - B exp(-C n)) at every row, with the speed n in rpm. Above the speed range
   /// `seen` of the fit, continued() extrapolates the value. At standstill, the value is 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
-  /// Returns the response of a lag at every row [1]. Its input is exp(-n/n0) while the spindle
-  /// turns at the speed n, and 0 at standstill; n0 is `decay_speed_rpm`. Beyond the speed range
-  /// `seen` of the fit, continued() extrapolates the input.
+  /// Returns the response of a lag at every row [1]. The input of the lag is exp(-n/n0) while the
+  /// spindle turns at the speed n, and 0 at standstill; n0 is `decay_speed_rpm`. Beyond the speed
+  /// range `seen` of the fit, continued() extrapolates the input.
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
                              const Interval& seen = {}) const;
   /// Returns exp(-t/tau) at every row of the first run, with the time t since its first row, and 0
   /// in later runs.
   [[nodiscard]] Values decay(double time_constant) const;
-  /// Returns 1 - exp(-t/tau) at every row. The time t starts at the first row of the record. It
-  /// increases within all runs, but not between two runs.
+  /// Returns 1 - exp(-t/tau) at every row. The time t starts at the first row of the record. The
+  /// time t increases within all runs, but not between two runs.
   [[nodiscard]] Values settling(double time_constant) const;
 
  private:

@@ -113,7 +113,8 @@ struct Responder {
   }
   std::optional<StepResponse> operator()(const MotorShare& s) const {
     return of_one_size(
-        fmt::format("exp(-n/{:.4g} rpm) of the motor, while the spindle turns", s.decay_speed),
+        fmt::format("motor heat exp(-n/{:.4g} rpm) at the speed n, while the spindle turns",
+                    s.decay_speed),
         s.gain, s.time_constant);
   }
   std::optional<StepResponse> operator()(const SettlingShare& s) const {

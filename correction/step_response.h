@@ -25,7 +25,7 @@ struct StepResponse {
   double sensor_time_constant = 0.0;  ///< time constant of the effect sensor-lag [s]
   /// Displacement at each sample [m]. Published coefficients have this list instead of `parts`.
   std::vector<double> sampled{};
-  double sampling = unset;  ///< [s]
+  double sampling = unset;  ///< time between samples [s]
   /// Effects that change the response at other speeds, during cooling, or with the coolant off.
   std::vector<std::string> changed_by{};
 };

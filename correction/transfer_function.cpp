@@ -166,16 +166,17 @@ std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum
                     100.0 * c.unstable_share));
   if (c.dc_gain_upper - c.dc_gain_lower > 0.2 * std::abs(c.dc_gain))
     result.push_back(
-        fmt::format("DC gain not determined by the printed digits: {:.4g}, but {:.4g} to {:.4g} (5 "
-                    "to 95 %) is possible",
-                    c.dc_gain / um, c.dc_gain_lower / um, c.dc_gain_upper / um));
+        fmt::format("DC gain not determined by the printed digits: {:.4g} {} per unit of the "
+                    "input, but {:.4g} to {:.4g} is possible (5th to 95th percentile)",
+                    c.dc_gain / um, unit, c.dc_gain_lower / um, c.dc_gain_upper / um));
   if (std::abs(c.feedthrough) * quantum > visible)
-    result.push_back(fmt::format(
-        "feedthrough turns a step of the last digit of the input ({:g}) into a step of {:.3g} {}",
-        quantum, c.feedthrough * quantum / um, unit));
+    result.push_back(
+        fmt::format("feedthrough turns a step of the last digit of the input ({:g}) into a "
+                    "displacement step of {:.3g} {}",
+                    quantum, c.feedthrough * quantum / um, unit));
   if (!(std::abs(c.single_error) <= 0.01))
     result.push_back(fmt::format(
-        "in single precision, the error after a step is {:.1f} % of the gain after 40 h",
+        "in single precision, the step response after 40 h has an error of {:.1f} % of the DC gain",
         100.0 * std::abs(c.single_error)));
   return result;
 }

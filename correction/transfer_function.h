@@ -22,7 +22,7 @@ namespace raceway::correction {
 ///           transfer functions.
 struct TransferFunction {
   std::vector<double> numerator, denominator;
-  double sampling = unset;  ///< [s]
+  double sampling = unset;  ///< sampling time [s]
 };
 
 /// Returns the function without the roots at exactly 1 that numerator and denominator share. In
@@ -31,10 +31,10 @@ struct TransferFunction {
 /// coefficient is not finite, or the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
-/// Returns the result of reduced() with a numerator in um per `unit` [SI] of the input. Both
-/// polynomials have the same length. The coefficients are rounded to 15 digits, which changes the
-/// gain by about 1e-9 if the poles are slow. All exported programs use these rounded coefficients,
-/// so their results agree.
+/// Returns the result of reduced() with a numerator in um per `unit` [SI] of the input. Numerator
+/// and denominator of the result have the same length. The coefficients are rounded to 15 digits,
+/// which changes the gain by about 1e-9 if the poles are slow. All exported programs use these
+/// rounded coefficients, so their results agree.
 [[nodiscard]] TransferFunction direct_form(const TransferFunction& printed, double unit);
 
 /// Returns the displacement at every sample of the input, from rest and in double precision. The
@@ -54,7 +54,7 @@ struct TransferFunction {
 /// Source:   partial fractions of the result of reduced() in z^-1.
 /// Domain:   the poles are real, distinct and in the open interval (0, 1). The numerator is not
 ///           longer than the denominator.
-/// Accuracy: limited by the poles. They are computed in extended precision, because poles of slow
+/// Accuracy: limited by the poles, which are computed in extended precision because poles of slow
 ///           bodies differ by less than 1e-4.
 /// Traps:    the lags agree with the transfer function only at its sampling time dt. A lag has the
 ///           time constant -dt/ln(1 - rise), and its input is constant between samples.
@@ -62,7 +62,7 @@ struct ParallelForm {
   struct Lag {
     double rise, gain;  ///< rise: 1 - pole [1]; gain: in the unit of a(0)
   };
-  double through = 0.0;  ///< in the unit of a(0)
+  double through = 0.0;  ///< instant response, in the unit of a(0)
   std::vector<Lag> lags{};
 };
 
@@ -71,7 +71,7 @@ struct ParallelForm {
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
 
 /// Returns a warning for each kind of pole that no thermal body has: on or outside the unit circle,
-/// negative, or complex. Without such poles, the list is empty.
+/// negative, or complex. The list is empty if there is no such pole.
 [[nodiscard]] std::vector<std::string> pole_warnings(const TransferFunction& printed);
 
 /// Returns true if the result of reduced() has a pole on or outside the unit circle.
@@ -79,7 +79,7 @@ struct ParallelForm {
 
 /// Results of check() for published coefficients.
 struct TransferFunctionCheck {
-  std::vector<std::complex<double>> poles{};  ///< poles with common roots, the largest first
+  std::vector<std::complex<double>> poles{};  ///< poles including common roots, the largest first
   /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
   double dc_gain = unset;  ///< final displacement per unit step, in the unit of a(0)

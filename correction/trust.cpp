@@ -61,7 +61,7 @@ std::string in_h(double value) { return fmt::format("{:.3g} h", value / 3600.0);
 
 std::string errs_by(const Model& model) {
   const Evidence& e = *model.evidence;
-  return fmt::format("the error {} is {}",
+  return fmt::format("the RMS error {} is {}",
                      e.other_record ? "on another record" : "on held-out parts",
                      shown(model, e.error));
 }
@@ -129,17 +129,18 @@ Trust trust_of(const Model& model) {
   const auto limited = [](std::string because) {
     return Trust{TrustLevel::within_range, std::move(because)};
   };
-  if (std::isnan(e.error)) return refused("no part of its record could be held out for a test");
+  if (std::isnan(e.error))
+    return refused("no part of the record of the fit could be held out for a test");
   if (!e.other_record && e.one_way)
     return refused(
-        "its record goes from one state to another only once, so the model is not tested for "
-        "another day: record a cool-down as well, or test it with another record (identify "
-        "--validate)");
+        "the record of the fit goes from one state to another only once, so no test shows the "
+        "error on another day: record a cool-down as well, or test the model with another record "
+        "(identify --validate)");
   if (!e.other_record && slowest.time_constant > e.duration)
     return refused(fmt::format("a time constant of {} is {}, longer than the record of {}",
                                slowest.channel, in_h(slowest.time_constant), in_h(e.duration)));
   if (leaves_most(e.error, e.uncorrected))
-    return refused(fmt::format("{}; the displacement without correction is {}", errs_by(model),
+    return refused(fmt::format("{}; the RMS displacement without correction is {}", errs_by(model),
                                shown(model, e.uncorrected)));
   if (!e.other_record && three_of_them * slowest.time_constant > e.duration)
     return limited(fmt::format(
@@ -150,7 +151,7 @@ Trust trust_of(const Model& model) {
       return limited(
           fmt::format("{} (tolerance {})", errs_by(model), shown(model, model.tolerance)));
   } else if (e.error > a_quarter * e.uncorrected) {
-    return limited(fmt::format("{}; the displacement without correction is {}", errs_by(model),
+    return limited(fmt::format("{}; the RMS displacement without correction is {}", errs_by(model),
                                shown(model, e.uncorrected)));
   }
   return {TrustLevel::good, {}};
@@ -160,12 +161,13 @@ Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                const Beyond& beyond) {
   if (leaves_most(errors.rms, uncorrected))
     return {TrustLevel::do_not_use,
-            fmt::format("the error on this record is {}; the displacement without correction is {}",
-                        shown(model, errors.rms), shown(model, uncorrected))};
+            fmt::format(
+                "the RMS error on this record is {}; the RMS displacement without correction is {}",
+                shown(model, errors.rms), shown(model, uncorrected))};
   Trust trust = trust_of(model);
   if (trust.level == TrustLevel::good && beyond.rows() > 0)
-    trust = {TrustLevel::within_range,
-             fmt::format("{} of the {} rows are outside it", beyond.rows(), beyond.at_row.size())};
+    trust = {TrustLevel::within_range, fmt::format("the range does not contain {} of the {} rows",
+                                                   beyond.rows(), beyond.at_row.size())};
   return trust;
 }
 

@@ -24,8 +24,8 @@ struct Trust {
 /// because ..." or "not known: ...", with the reason.
 [[nodiscard]] std::string line_of(const Trust& trust);
 
-/// Returns the rms of the readings after subtracting the mean of each run [m]. This rms is the
-/// error without a correction.
+/// Returns the rms of the readings after subtracting the mean of each run [m]. The result is the
+/// rms error without a correction.
 [[nodiscard]] double uncorrected_rms(const Model& model, const record::Record& record);
 
 /// Returns the Evidence for a model from the record to which it was fitted. `error` is the rms
@@ -44,12 +44,12 @@ struct Trust {
 ///
 /// If the error comes from another record (`Evidence::other_record`), the conditions on the
 /// duration and on readings that move only once are not checked.
-/// Accuracy: the limits are our choice. They were tested on corrections fitted to the first 1 to 12
-/// h of data/corrections/exact: no correction with an rms residual above a fifth of the rms
+/// Accuracy: the limits are our choice. The limits were tested on corrections fitted to the first 1
+/// to 12 h of data/corrections/exact: no correction with an rms residual above a fifth of the rms
 /// displacement in test.csv is rated good.
 [[nodiscard]] Trust trust_of(const Model& model);
 
-/// Returns the level of trust for a prediction on a record. The level is `do_not_use` if the mean
+/// Returns the level of trust in a prediction for a record. The level is `do_not_use` if the mean
 /// square of the error exceeds half of the mean square of the displacement (`uncorrected` from
 /// uncorrected_rms() [m]). Otherwise trust_of() gives the level, but `good` becomes `within_range`
 /// if a row is outside the range of the fit. `errors` are the errors after a constant is

@@ -135,7 +135,7 @@ std::string_view text(Need need) {
     case Need::speed_levels:
       return "more than one speed";
     case Need::load_levels:
-      return "more than one load";
+      return "more than one load (axial or radial)";
     case Need::preload_levels:
       return "more than one preload (preload_N)";
     case Need::viscosity_levels:
@@ -151,12 +151,12 @@ std::string_view text(Need need) {
     case Need::several_bearings:
       return "bearings = 2 or more under [rig]: a set with preload";
     case Need::rising_and_falling:
-      return "speeds that were reached from below and from above, with time_s";
+      return "rows with rising and rows with falling speed, with time_s";
     case Need::ball_load_law:
       return "a law that uses ball loads (contact or contact-powers), or an effect in the model "
              "that uses them, such as spin-friction: the other base laws use the entered load only";
     case Need::palmgren_law:
-      return "another law than skf or table: the skf law already contains this effect, and a "
+      return "a base law other than skf or table: the skf law already contains this effect, and a "
              "friction table may contain it";
     case Need::opposed_sets:
       return "bearings at both ends of the shaft: in a tandem, a spring keeps the preload constant";

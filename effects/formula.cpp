@@ -25,7 +25,7 @@ constexpr std::array known_variables{
              [](const In& i) { return i.state.axial_load; }},
     Variable{"radial_load_N", "radial load of one bearing",
              [](const In& i) { return i.state.radial_load; }},
-    Variable{"temperature_C", "temperature of the row",
+    Variable{"temperature_C", "lubricant temperature of the row",
              [](const In& i) { return celsius(i.state.temperature); }},
     Variable{"viscosity_mm2_s", "kinematic viscosity of the film",
              [](const In& i) { return i.state.kinematic_viscosity / mm2_per_s; }},

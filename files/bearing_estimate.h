@@ -18,7 +18,7 @@ struct BearingOutline {
   double width = unset;            ///< [m]; NaN: not known
   std::string dimension_series{};  ///< series of ISO 15, "10"; empty if unknown
   double contact_angle = unset;    ///< [rad]; NaN: not known, 15 deg is used
-  int ball_count = 0;              ///< 0: not known
+  int ball_count = 0;              ///< number of balls; 0: not known
   std::string ball_material = "steel";
 };
 
@@ -68,7 +68,7 @@ struct NamedRow {
   CatalogueBearing row;
   bool is_estimated = false;   ///< true: the bearing is in no catalogue
   bool ceramic_balls = false;  ///< true if the designation states ceramic balls
-  bool states_angle = true;    ///< false: 15 deg is assumed
+  bool states_angle = true;    ///< false: the contact angle of 15 deg is assumed
 };
 /// Returns the catalogue row with this name. If there is none, returns an estimate from the
 /// designation. Throws InputError if the size is unknown as well, or if the bearing has no angular

@@ -10,12 +10,12 @@ struct BoundaryDimensions {
   double bore, outer_diameter, width;  ///< [m]
 };
 
-/// Returns the boundary dimensions of a bearing size; nothing if the table below does not contain
-/// it. The dimension series is "18", "19", "10", "02" or "03" (width series and diameter series).
-/// The bore code is, for example, "14" for 70 mm. The largest bore is 200 mm (series 03: 120 mm).
+/// Returns the boundary dimensions of a bearing size; nothing for an unknown size. The dimension
+/// series is "18", "19", "10", "02" or "03" (width series and diameter series). The bore code is,
+/// for example, "14" for 70 mm. The largest bore is 200 mm (series 03: 120 mm).
 ///
 /// Source:   ISO 15, from secondary sources: series 10 and 19 to 130 mm from NTN-SNR (ULTAGE, 7000
-///           and 7900) and [GMN4000], series 02 to 100 mm from GB/T 276. The other sizes were not
+///           and 7900) and [GMN4000], series 02 to 100 mm from GB/T 276. All other sizes were not
 ///           compared with a publication.
 [[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
     std::string_view dimension_series, std::string_view bore_code);

@@ -17,7 +17,7 @@ namespace raceway::files {
 
 /// Conversion of a number in a measurement file to SI.
 struct CellUnit {
-  const text::Unit* unit = nullptr;  ///< null: the unit of the channel
+  const text::Unit* unit = nullptr;  ///< unit of the number; null: the unit of the channel
   double factor = 1.0;  ///< factor by which the number is multiplied first; -1 changes the sign
 
   [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
@@ -39,8 +39,8 @@ struct NamedChannel {
 /// a count).
 [[nodiscard]] const text::Unit* unit_of(const record::Channel& channel);
 
-/// Returns the one of `channels` with this name; nothing if there is none. The unit in the name may
-/// be another unit of the same dimension: "friction_torque_Nm", "speed [1/min]".
+/// Returns the quantity with this name from `channels`; nothing if there is none. The unit in the
+/// name may be another unit of the same dimension: "friction_torque_Nm", "speed [1/min]".
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
@@ -70,7 +70,7 @@ struct ColumnRule {
 struct Combination {
   struct Term {
     const record::Channel* transducer;
-    double factor;  ///< [m/m]; for an angle [rad/m]
+    double factor;  ///< factor of the reading [m/m]; for an angle [rad/m]
   };
   const record::Channel* displacement;
   std::vector<Term> terms{};
@@ -83,8 +83,8 @@ struct ColumnMap {
   std::vector<ColumnRule> rules{};
   char decimal_mark = '\0';                     ///< decimal mark of the file; '\0': not given
   std::optional<text::DateOrder> date_order{};  ///< order of day and month in dates with slashes
-  std::optional<record::SettingsHold> settings_hold{};  ///< only for a record over time
-  std::vector<Combination> transducers{};               ///< only for a record over time
+  std::optional<record::SettingsHold> settings_hold{};  ///< only for a time record
+  std::vector<Combination> transducers{};               ///< only for a time record
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
   /// Returns the transducer in [transducers] with this name and any unit of length, such as "x1_um"
@@ -100,7 +100,7 @@ struct ReadOptions {
   bool drop_nan = false;    ///< true: rows with a missing number are omitted, with a note
   bool over_time = false;   ///< true: the file is a time record
   bool of_spindle = false;  ///< true: the file is a time record of a spindle
-  /// True: columns of `columns` may be in another file of the same record.
+  /// True: columns that a rule names may be in another file of the same record.
   bool of_several = false;
 };
 

@@ -8,7 +8,7 @@
 
 namespace raceway::files {
 
-/// Result of join_corrections().
+/// Text of a joined correction file, with notes for the user.
 struct JoinedCorrection {
   std::string text;
   std::vector<NamedFile> files{};     ///< files that the text names; empty if `path` is given
@@ -16,10 +16,10 @@ struct JoinedCorrection {
 };
 
 /// Returns a correction file whose prediction is the sum of the corrections of several files for
-/// one displacement. It contains the channels, kinematic law and effects of all files, unchanged.
-/// Offsets are added. If several files give a range for the same input, the new range is the
-/// intersection. Free parameters of a file stay free, and parameters with a prior become free. The
-/// kinematic law of a file without a list of free parameters is fixed unless it has a prior.
+/// one displacement. The joined file contains the channels, kinematic law and effects of all files,
+/// unchanged. Offsets are added. If several files give a range for the same input, the new range is
+/// the intersection. Free parameters of a file stay free, and parameters with a prior become free.
+/// The kinematic law of a file without a list of free parameters is fixed unless it has a prior.
 /// Parameters fitted to a record get a prior from their covariance, except for the offset. In a
 /// file without priors and without a list of free parameters, delay elements and the kinematic law
 /// get the priors of correction/prior.h. The priors are needed because a record of the whole

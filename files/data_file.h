@@ -16,8 +16,7 @@ namespace raceway::files {
 /// inertia of the model converts a coast-down (a record of only time and speed) to friction torque:
 /// see Expected. The reader keeps the measured columns that `subject` predicts. If the file has
 /// none of these columns, it keeps the first column of Expected::measured, which `subject` may
-/// reject. The notes of the record list all values and rows that were filled in, ignored or
-/// omitted.
+/// reject. `notes` of the record list everything that was filled in, ignored or omitted.
 ///
 /// An empty cell is an error, with one exception: if the file has several measured columns, an
 /// empty cell in one of them is a missing reading.

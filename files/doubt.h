@@ -18,10 +18,10 @@ struct Doubt {
   /// A quantity whose column may be in a different unit.
   struct Guess {
     const record::Channel* channel;
-    std::string_view unit;  ///< as written in files: "kgf"
+    std::string_view unit;  ///< other unit as written in files: "kgf"
   };
   std::string text;
-  std::vector<Guess> units{};  ///< empty if the question is not about a unit
+  std::vector<Guess> units{};  ///< possible units; empty if the question is not about a unit
 };
 
 /// Returns the question whether a temperature column is in `unit`, "K" or "F". `from` and `to` are

@@ -14,7 +14,7 @@ namespace raceway::files {
 /// column for a load or for the temperature, the torque does not depend on this quantity. The
 /// uncertainty of the torque may be in friction_torque_band_Nmm (half width of a 95 % band) or
 /// std_Nmm (standard deviation), and the load-dependent torque in load_Nmm. Other columns are
-/// ignored. Throws InputError if the speed, the torque or a point of the grid is missing, if a
+/// allowed. Throws InputError if the speed, the torque or a point of the grid is missing, if a
 /// point occurs twice, for both columns of uncertainty, for a slab (see table_file.h), and for
 /// cells that are not numbers.
 [[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,
@@ -30,9 +30,9 @@ struct CurveInput {
   double unit = 1.0;  ///< SI value of one unit of the column
 };
 
-/// Parses a table of a gain or a time constant [SI] as a function of a power or a load. Its two
-/// columns are the input, with rising values, and the quantity `value`. Both column names end in a
-/// unit.
+/// Parses a table of a gain or a time constant [SI] as a function of a power or a load. The table
+/// has two columns: the input, with rising values, and the quantity `value`. Both column names end
+/// in a unit.
 [[nodiscard]] correction::Characteristic::Table parse_characteristic(std::string text,
                                                                      const std::string& source,
                                                                      const std::string& value,

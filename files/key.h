@@ -18,7 +18,7 @@ namespace raceway::files {
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
   double lower = unset, upper = unset;  ///< limits of a number, in `unit`; both are allowed
-  std::string_view unit{};              ///< "" if dimensionless
+  std::string_view unit{};              ///< unit of a number; "" if dimensionless
   std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
   bool whole = false;        ///< true: the number must be whole
 
@@ -38,7 +38,7 @@ struct Required {};
 /// Default for a key that a model file does not contain.
 struct Default {
   double value = unset;      ///< default number, in its unit; NaN with empty `words`: no default
-  std::string_view words{};  ///< default text, or a description of the default
+  std::string_view words{};  ///< one of the allowed texts, or a description of the default
   bool required = false;     ///< true: the key has no default, and its table must contain it
 
   constexpr Default() = default;

@@ -24,8 +24,8 @@ struct ModelFile {
   std::string text;    ///< text of the file; with_values() and with_model() edit it
   /// Full name of the catalogue bearing that the file names; empty without one.
   std::string catalogue = {};
-  /// Keys of [bearing], [arrangement] bearings and [solver] whose values differ from the default or
-  /// the catalogue, and all keys of the file that only the contact law uses.
+  /// Keys of [bearing], [solver] and the bearings of [arrangement] whose values differ from the
+  /// default or the catalogue, and all keys in the file that only the contact law uses.
   std::vector<std::string> written = {};
   /// All defaults that were used.
   std::vector<UsedDefault> defaults;
@@ -86,7 +86,7 @@ struct KeyValue {
 
 /// Contents and comments of a new model file.
 struct ModelRemarks {
-  std::string title{};  ///< first comment for a rig; empty: a usual text
+  std::string title{};  ///< title of the file; empty: it says that the file has all defaults
   std::string ball_material = "steel";
   /// Comments for single keys, in place of the usual comments.
   std::vector<std::pair<std::string_view, std::string>> of_key{};

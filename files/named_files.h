@@ -13,7 +13,7 @@ struct NamedFile {
   std::string text;  ///< content of the file
 };
 
-/// Reader of the files that a model names. It reads each file once.
+/// Reader of the files that a model names. Each file is read once.
 class NamedFiles {
  public:
   /// `model` is the path of the model. File names are relative to its folder. The contents of files

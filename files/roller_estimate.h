@@ -18,8 +18,8 @@ namespace raceway::files {
 struct EstimatedRollers {
   std::string designation{};
   bearing::RollerGeometry geometry{};
-  /// Published values: diameter E of the outer raceway [m] and load ratings C and C0 [N]. They are
-  /// NaN if the rollers are estimated only from the boundary dimensions.
+  /// Published values: diameter E of the outer raceway [m] and load ratings C and C0 [N]. All three
+  /// are NaN if the rollers are estimated only from the boundary dimensions.
   double outer_raceway = unset, dynamic_rating = unset, static_rating = unset;
 
   [[nodiscard]] bool printed() const { return !std::isnan(outer_raceway); }
@@ -33,8 +33,8 @@ struct EstimatedRollers {
 ///   others          D_w = 0.485 (D - d)/2 to 0.5 mm,   Z = 0.71 π d_m/D_w, rounded
 ///
 /// Accuracy: the rating C calculated with these rollers agrees with the published C within 2.1 %
-///           for eight of eleven sizes. It is 5.6 % too high for N1013 and 16 % too low for N1022
-///           and N1024. The estimate does not use the published C.
+///           for eight of eleven sizes. The calculated C is 5.6 % too high for N1013 and 16 % too
+///           low for N1022 and N1024. The estimate does not use the published C.
 /// Throws InputError for another series, and for a size without known boundary dimensions.
 [[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation);
 

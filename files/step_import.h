@@ -19,7 +19,7 @@ struct LoadCase {
   double power_start = unset, power_end = unset;
   double speed = unset;                   ///< [rad/s]; NaN: only the power is known
   double at_once = 0.0;                   ///< displacement at t = 0 [m]
-  std::vector<double> time = {};          ///< [s]
+  std::vector<double> time = {};          ///< times of the rows [s]
   std::vector<double> displacement = {};  ///< displacement minus `at_once` [m]
   text::Place place = {};                 ///< file and line of the first row
 };

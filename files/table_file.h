@@ -22,10 +22,10 @@ struct TableFile {
 /// empty cells. A slab is a table of only some points of a grid; a `#` line in it gives the number
 /// of points and a fingerprint of the whole grid.
 ///
-/// The other columns are converted from SI to the unit at the end of their names (_Nmm, _deg, _um,
-/// ...). A column without a unit is dimensionless. Numbers have 12 digits. Several threads write
-/// rows, but the text is the same for any number of threads. Only one thread at a time calls
-/// `progress`, with the finished fraction.
+/// The additional columns of a table are converted from SI to the unit at the end of their names
+/// (_Nmm, _deg, _um, ...). A column without a unit is dimensionless. Numbers have 12 digits.
+/// Several threads write rows, but the text is the same for any number of threads. Only one thread
+/// at a time calls `progress`, with the finished fraction.
 [[nodiscard]] std::string table_text(const friction::StribeckTable& table, std::string_view title,
                                      std::string_view model_text,
                                      const std::function<void(double)>& progress = {});

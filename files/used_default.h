@@ -17,7 +17,7 @@ struct UsedDefault {
     catalogue,  ///< value of the catalogue bearing that the file names
     derived,    ///< value that is calculated from other values, as `why` states
   };
-  std::string table, key;  ///< `effect[0]` is the first effect
+  std::string table, key;  ///< table and key; table `effect[0]` is the first effect
   std::string value;       ///< value as written in a model file, or a description
   Origin origin = Origin::key;
   std::string why = {};  ///< reason for the value; empty for Origin::key

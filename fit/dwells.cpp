@@ -427,10 +427,10 @@ std::string Averaged::statement() const {
   std::string text =
       fmt::format("{} rows form {} dwell{}", rows - alone, dwells, dwells == 1 ? "" : "s");
   if (alone > 0) text += fmt::format(", and {} rows are outside of dwells", alone);
-  text += fmt::format(": {} of consecutive rows at equal settings are averaged",
+  text += fmt::format(": the program averages the {} of consecutive rows at equal settings",
                       fmt::join(words, ", "));
   if (split > 0)
-    text += fmt::format("; {} dwell{} cut where the temperature moved by 1 K", split,
+    text += fmt::format("; {} dwell{} divided where the temperature changed by 1 K", split,
                         split == 1 ? " is" : "s are");
   if (correlation_time > 0.0)
     text += fmt::format("; the scatter within a dwell has a correlation time of {:.2g} s",

@@ -209,7 +209,7 @@ std::vector<std::size_t> far_readings(const record::Record& record,
 std::string Isolated::statement() const {
   const std::string lines = lines_of(record, rows);
   const bool one = rows.size() == 1;
-  const std::string beyond = fmt::format("by more than {}the range of the others",
+  const std::string beyond = fmt::format("by more than {}the range of the other readings",
                                          by.impossible == 3.0 ? "three times " : "");
   return fmt::format("{} reading{} of {} jump{} and return{}{}{} and {} not used, {} {}",
                      rows.size(), one ? "" : "s", channel->words, one ? "s" : "", one ? "s" : "",
@@ -254,7 +254,8 @@ PossibleRows without_impossible_rows(const record::Record& record) {
   });
   if (read != record.columns.end())
     take_out(far_readings(result.record, *read->channel),
-             fmt::format("a {} that differs from all others by more than three times their range",
+             fmt::format("a {} that differs from all other readings by more than three times the "
+                         "range of these readings",
                          read->channel->words));
   return result;
 }

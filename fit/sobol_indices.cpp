@@ -95,7 +95,8 @@ void SobolDesign::point(std::size_t evaluation, std::span<double> point) const {
 SobolIndices sobol_indices(const SobolDesign& design, std::span<const double> values,
                            std::uint64_t seed) {
   if (values.size() != design.evaluations())
-    throw std::invalid_argument("values: give one for each evaluation of the design");
+    throw std::invalid_argument(
+        "values: must contain one value for each evaluation of the Sobol design");
   const std::size_t inputs = design.inputs(), width = inputs + 2;
   SobolIndices result;
   result.inputs.resize(inputs);

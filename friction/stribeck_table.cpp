@@ -39,13 +39,13 @@ constexpr Axis temperature_axis{"temperature", "C", 1.0, celsius_zero, 0.0};
 void validate_axis(const Axis& axis, const std::vector<double>& values) {
   std::ostringstream text;
   if (values.empty()) {
-    text << axis.name << ": a table needs one value or more";
+    text << axis.name << ": a table needs at least one value";
     throw std::invalid_argument(text.str());
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(std::isfinite(values[i]) && values[i] >= axis.lowest)) {
       text << axis.name << " = " << axis.shown(values[i]) << ' ' << axis.unit
-           << ": must be finite, from " << axis.shown(axis.lowest) << ' ' << axis.unit;
+           << ": must be finite and at least " << axis.shown(axis.lowest) << ' ' << axis.unit;
       throw std::invalid_argument(text.str());
     }
     if (i > 0 && values[i] <= values[i - 1]) {
@@ -128,7 +128,8 @@ void validate(const TableAxes& axes) {
   validate_axis(radial_axis, axes.radial_load);
   validate_axis(temperature_axis, axes.temperature);
   if (axes.size() == std::numeric_limits<std::size_t>::max())
-    throw std::invalid_argument("the grid has more points than can be counted");
+    throw std::invalid_argument(
+        "the table has too many points: give fewer speeds, loads or temperatures");
 }
 
 std::size_t StribeckTable::index(std::size_t speed, std::size_t axial_load, std::size_t radial_load,
@@ -164,7 +165,8 @@ StribeckTable build_stribeck_table(const TableAxes& axes, std::vector<std::strin
   validate(axes);
   if (slab.index >= slab.count)
     throw std::invalid_argument("slab " + std::to_string(slab.index + 1) + " of " +
-                                std::to_string(slab.count) + ": there is none");
+                                std::to_string(slab.count) +
+                                ": the slab number must be at most the number of slabs");
   StribeckTable table;
   table.axes = axes;
   table.slab = slab;

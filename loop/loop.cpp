@@ -21,7 +21,7 @@ verdict::Diagnosis diagnose(const fit::Subject& subject, const record::Record& r
   constexpr int most_tried = 1'000'000;
   if (options.tried_before < 0 || options.tried_before > most_tried)
     throw std::invalid_argument(
-        "explanations tried before = " + std::to_string(options.tried_before) +
+        "tried_before (explanations tried earlier) = " + std::to_string(options.tried_before) +
         ": must be from 0 to " + std::to_string(most_tried));
   return subject.approximates() ? tolerance::diagnose_approximation(subject, record, options)
                                 : verdict::diagnose_by_noise(subject, record, options);

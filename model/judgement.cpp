@@ -314,13 +314,13 @@ Findings Judge::findings() const {
     const double torque = table_.value / at.speed;
     Finding beyond = finding_of(
         limits::friction_table, table_, at.speed * N_mm,
-        fmt::format(
-            "{} of {} rotating states are outside the friction table {} ({}); for them, the "
-            "program uses the value at the edge. The state with the most heat is at {}{:.6g} rpm, "
-            "{:.4g} N axial, {:.4g} N radial, {:.4g} C; there, the program uses {:.4g} N mm",
-            table_.points, turning_, model_->table->file, model_->table->range(),
-            table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
-            at.radial_load, celsius(at.temperature), torque / N_mm));
+        fmt::format("{} of {} rotating states are outside the friction table {} ({}); for these "
+                    "states, the program uses the value at the edge of the table. The state with "
+                    "the most heat is at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N radial, {:.4g} C; "
+                    "for this state, the program uses {:.4g} N mm",
+                    table_.points, turning_, model_->table->file, model_->table->range(),
+                    table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
+                    at.radial_load, celsius(at.temperature), torque / N_mm));
     beyond.allowed = unset;  // a range of several axes
     findings.push_back(std::move(beyond));
   }
@@ -344,9 +344,9 @@ Possible possible_speeds(const Model& model) {
   const double most = std::sqrt(strength_of_rings / density) / (0.5 * diameter);
   return {.lower = 0.0,
           .upper = most,
-          .why = fmt::format(
-              "above the upper limit, the inner ring bursts (2 GPa of hoop stress on {:.4g} mm)",
-              diameter / mm)};
+          .why = fmt::format("above the upper limit, the inner ring bursts (hoop stress of 2 GPa "
+                             "at a diameter of {:.4g} mm)",
+                             diameter / mm)};
 }
 
 Possible possible_temperatures(const friction::Lubricant& lubricant) {

@@ -126,17 +126,19 @@ namespace {
 /// Why cylindrical rollers have no such effect, in words; empty if they do.
 std::string refused_by_rollers(const effects::Description& effect) {
   if (!effect.not_for_rollers.empty())
-    return fmt::format("a ball bearing: {}", effect.not_for_rollers);
+    return fmt::format("a ball bearing, because {}", effect.not_for_rollers);
   if (effect.condition)
-    return "a ball bearing: the effect moves rings against balls in grooves; for cylindrical "
-           "rollers, enter the operating clearance as radial_clearance_um";
-  return effect.needs_equilibrium ? "a ball bearing: the formula of the effect is for balls" : "";
+    return "a ball bearing, because the effect moves rings against balls in grooves; for "
+           "cylindrical rollers, enter the operating clearance as radial_clearance_um";
+  return effect.needs_equilibrium ? "a ball bearing, because the formula of the effect is for balls"
+                                  : "";
 }
 
 /// Why a measured torque has no such effect, in words; empty if it does.
 std::string refused_by_table(const effects::Description& effect) {
   if (effect.lubricant || effect.base_law || effect.of_viscous_moment)
-    return "another base law: the program does not change the viscous moment of a friction table";
+    return "another base law, because the program does not change the viscous moment of a friction "
+           "table";
   return {};
 }
 
@@ -147,11 +149,12 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
   if (model.law == friction::FrictionLaw::table) return refused_by_table(effect);
   if (model.law != friction::FrictionLaw::contact) return {};
   if (!effect.within_contacts.empty())
-    return fmt::format("another base law: the contact law already includes this effect as {}",
-                       effect.within_contacts);
+    return fmt::format(
+        "another base law, because the contact law already includes this effect as {}",
+        effect.within_contacts);
   if (effect.within_oil_fraction && model.law_values.back() > 0.0)
-    return "oil_fraction = 0 under [friction]: the contact law already includes the drag of the "
-           "balls";
+    return "oil_fraction = 0 under [friction], because the contact law already includes the drag "
+           "of the balls";
   return {};
 }
 
@@ -165,17 +168,20 @@ std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {
   if (!effect.moves(model.form(), measured_of_shaft(record))) {
     if (effect.of_spindles_alone())
-      return "a spindle model with [shaft] and [housing]: the effect acts only on spindles";
+      return "a spindle model with [shaft] and [housing], because the effect acts only on spindles";
     if (model.form() == effects::Form::spindle && effect.condition && effect.follows_heat)
-      return "a model that does not compute temperatures: a spindle model already includes this "
-             "effect";
+      return "a model that does not compute temperatures, because a spindle model already includes "
+             "this effect";
     if (effect.reads(record::axial_displacement))
-      return "the axial displacement of a shaft: the effect does not act on other readings";
+      return "readings of the axial displacement of a shaft, because the effect does not act on "
+             "other readings";
     if (model.form() == effects::Form::rig)
-      return "the sets of an [arrangement]: the effect does not act on a bearing on a rig";
+      return "a model with an [arrangement], because the effect acts on bearing sets, not on a "
+             "bearing on a rig";
     return has_torque_of_sets(model, record)
-               ? "a single bearing on a rig: the bearings of a set share the load"
-               : "the friction torque: the effect does not act on other readings";
+               ? "a single bearing on a rig, because the bearings of a set share the load"
+               : "readings of the friction torque, because the effect does not act on other "
+                 "readings";
   }
   if (std::string unmet = first_unmet(effect, model, record, false); !unmet.empty()) return unmet;
   for (const record::Channel* channel : effect.channels)

@@ -15,7 +15,8 @@ namespace {
 /// {} in its texts.
 struct OwnDatum {
   std::string_view id, parameter, words, datum;
-  double usual;  ///< error of it that is met, either way, in the unit of the parameter
+  double usual;           ///< usual error, in the unit of the parameter
+  std::string_view unit;  ///< unit of this error, with a leading space
   bool of_spindle;
   std::string_view explained;                                   ///< where it stands
   std::vector<std::string> (*parts)(const Spindle&) = nullptr;  ///< names of the parts that have it
@@ -37,17 +38,18 @@ constexpr std::string_view where_inlets_stand =
 // of one bearing differ by some 2 deg. Groove radii are 0.51 to 0.54 of the ball diameter and are
 // on few data sheets. A thermometer is screwed into the next free bore; a chiller is set anew.
 constexpr std::array all{
-    OwnDatum{"contact-angle", "contact_angle_deg", "contact angle", "the bearing data", 4.0, false,
-             "the contact angle of the bearings on a shaft, under [bearing]"},
-    OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing data", 0.02,
+    OwnDatum{"contact-angle", "contact_angle_deg", "contact angle", "the bearing data", 4.0, " deg",
+             false, "the contact angle of the bearings on a shaft, under [bearing]"},
+    OwnDatum{"conformity", "conformity", "conformity of the grooves", "the bearing data", 0.02, "",
              false, "the conformity of the grooves of the bearings on a shaft, under [bearing]"},
     OwnDatum{"coolant-inlet", "inlet_temperature_C", "inlet",
-             "the inlet temperature of the coolant", usual_inlet_error_K, true, where_inlets_stand},
+             "the inlet temperature of the coolant", usual_inlet_error_K, " K", true,
+             where_inlets_stand},
     OwnDatum{"coolant-inlet:{}", "{}.inlet_temperature_C", "inlet",
-             "the inlet temperature of circuit {}", usual_inlet_error_K, true, where_inlets_stand,
-             [](const Spindle& s) { return names_of(s.circuits); }},
+             "the inlet temperature of circuit {}", usual_inlet_error_K, " K", true,
+             where_inlets_stand, [](const Spindle& s) { return names_of(s.circuits); }},
     OwnDatum{"sensor-place:{}", "sensor.{}.position_mm", "position",
-             "the place of the thermometer {}", 25.0, true,
+             "the place of the thermometer {}", 25.0, " mm", true,
              "the position_mm of a [[sensor]] in a spindle; each sensor is tested separately, as "
              "sensor-place:NAME",
              [](const Spindle& s) { return names_of(s.sensors); }}};
@@ -114,7 +116,9 @@ std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id)
 fit::Parameter own_datum_parameter(const Model& model, std::string_view id) {
   const Found found = find(id);
   std::optional<fit::Parameter> p = parameter_of(model, found);
-  if (!p) throw std::invalid_argument(fmt::format("{}: the model has no such number", id));
+  if (!p)
+    throw std::invalid_argument(
+        fmt::format("{}: the model has no number of this name that a measurement can correct", id));
   const double usual = found.datum->usual;
   p->name = fmt::format("{}.{}", id, p->name.substr(p->name.rfind('.') + 1));
   p->neutral = p->start;
@@ -134,9 +138,9 @@ std::string own_datum_explained(std::string_view id) {
   for (const OwnDatum& d : all)
     if (d.id.substr(0, d.id.find(':')) == plain)
       return fmt::format(
-          "{}: not an effect, but a number of the model that may be wrong: {}. diagnose tests it "
-          "(usual error up to {:g}), and add corrects it.",
-          plain, d.explained, d.usual);
+          "{}: not an effect, but a number of the model that may be wrong: {}. diagnose tests the "
+          "number (usual error up to {:g}{}), and add corrects it.",
+          plain, d.explained, d.usual, d.unit);
   return {};
 }
 

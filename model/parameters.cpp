@@ -267,7 +267,7 @@ void add_effect(std::vector<Parameter>& list, const Model& model, std::size_t k)
 }
 
 [[noreturn]] void refuse(const std::string& address) {
-  throw std::invalid_argument(address + ": the model has no such number");
+  throw std::invalid_argument(address + ": the model has no number of this name");
 }
 
 /// Index of the number of that name.

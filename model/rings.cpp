@@ -13,7 +13,8 @@ std::vector<Rings> rings_of(const Spindle& s, const bearing::Arrangement& sets) 
   const auto bearings = sets.bearings();
   if (positions.size() != bearings.size())
     throw std::invalid_argument(
-        fmt::format("{} bearings have {} positions", bearings.size(), positions.size()));
+        fmt::format("the arrangement has {} bearings, but {} positions are given", bearings.size(),
+                    positions.size()));
   std::vector<Rings> all;
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const bearing::BearingGeometry& g = bearings[k].bearing->geometry();

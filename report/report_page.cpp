@@ -20,8 +20,8 @@ std::string report_page(const std::string& document) {
   const std::string_view page = report_template();
   if (page.empty())
     throw text::InputError(
-        "this program was built without reports (-DRACEWAY_REPORT=OFF); build it with Node and npm "
-        "and -DRACEWAY_REPORT=ON",
+        "this program was built without reports (-DRACEWAY_REPORT=OFF); build it again with "
+        "-DRACEWAY_REPORT=ON, which needs Node and npm",
         {.key = "--report"});
   const std::size_t at = page.find(mark);
   std::string text;

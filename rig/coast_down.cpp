@@ -94,8 +94,10 @@ class RunRegression {
       const int samples = static_cast<int>(kept.size());
       if (kept.size() < fewest()) {
         if (falls.size() > 1)
-          note("{} samples of one fall are too few for a torque and are not used ({})", samples,
-               record_.place(fall.front().row));
+          note(
+              "one fall of the speed has too few usable samples for a torque and is not used: {} "
+              "({})",
+              samples, record_.place(fall.front().row));
         summary_.samples = std::max(summary_.samples, samples);
         continue;
       }
@@ -142,8 +144,10 @@ class RunRegression {
         b.inputs[c] = inputs_[c].empty() ? unset : inputs_[c][i];
     }
     if (!slow.empty())
-      note("{} samples at standstill or below {:.4g} rpm are not used ({})", slow.size(),
-           rig_.minimum_speed / rpm, places_text(record_, slow));
+      note(
+          "number of samples that are not used, because the shaft is at standstill or below "
+          "{1:.4g} rpm: {0} ({2})",
+          slow.size(), rig_.minimum_speed / rpm, places_text(record_, slow));
     return samples;
   }
 
@@ -202,8 +206,8 @@ class RunRegression {
         kept.push_back(samples[i]);
     }
     if (!rows.empty())
-      note("{} samples are outliers of the speed curve and are not used ({})", rows.size(),
-           places_text(record_, rows));
+      note("number of samples that are outliers of the speed curve and are not used: {} ({})",
+           rows.size(), places_text(record_, rows));
     summary_.outliers += static_cast<int>(rows.size());
     return kept;
   }
@@ -218,8 +222,10 @@ class RunRegression {
       const std::vector<Block> segment = averaged(samples, block);
       const auto cuts = windows(segment, fewest(), most, options_.largest_fall);
       if (cuts.empty())
-        note("{} samples between gaps are too few for a torque and are not used ({})",
-             segment.size() * block, record_.place(segment.front().row));
+        note(
+            "a part between two gaps in time has too few samples for a torque and is not used: {} "
+            "({})",
+            segment.size() * block, record_.place(segment.front().row));
       for (const std::span<const Block> part : cuts) parts.emplace_back(part.begin(), part.end());
     }
   }
@@ -245,17 +251,19 @@ class RunRegression {
                          averaged(parts[w], parts[w].size()).front(), row});
     }
     if (!driven.empty())
-      note("{} windows are not used, because the speed does not fall there ({})", driven.size(),
-           places_text(record_, driven));
+      note(
+          "number of windows that are not used, because the speed does not fall in these windows: "
+          "{} ({})",
+          driven.size(), places_text(record_, driven));
     summary_.rows = static_cast<int>(deviations.size());
     if (deviations.empty()) return;
     summary_.torque_std = record::median(deviations);
     note(
-        "{} torques from {} speed samples by local regression, M = -J dw/dt with J = {:.6g} kg "
-        "m2; standard deviation {:.3g} N mm (speed {:.3g} rpm{})",
+        "{} torques from {} speed samples by local regression, M = -J dw/dt with J = {:.6g} kg m2; "
+        "median standard deviation of the torques {:.3g} N mm (noise of the speed {:.3g} rpm{})",
         summary_.rows, summary_.samples, rig_.inertia, summary_.torque_std / N_mm, noise.std / rpm,
         noise.correlation > 0.0
-            ? fmt::format(", correlation of neighbours {:.2f}", noise.correlation)
+            ? fmt::format(", correlation of successive samples {:.2f}", noise.correlation)
             : "");
   }
 
@@ -281,7 +289,7 @@ std::string no_torque(const record::Record& record, const std::vector<CoastDownR
       of_run(longest->run), longest->samples, options.fewest_samples,
       runs.size() > 1 ? fmt::format("; none of the {} runs has more", runs.size())
       : longest->before_release > 0
-          ? fmt::format("; {} before the release are not used", longest->before_release)
+          ? fmt::format("; {} samples before the release are not used", longest->before_release)
           : "");
 }
 

@@ -75,8 +75,9 @@ void check(const record::Record& record, std::span<const Fall> falls, const mode
                     "speeds is M = J (w1 - w2)/t",
                     rig.inertia));
   if (falls.size() != record.rows())
-    throw std::invalid_argument(
-        fmt::format("{}: {} falls for {} rows", record.source, falls.size(), record.rows()));
+    throw std::invalid_argument(fmt::format(
+        "{}: {} falls between two speeds are given for {} rows; each row needs one fall",
+        record.source, falls.size(), record.rows()));
   for (std::size_t i = 0; i < falls.size(); ++i) {
     const Fall& f = falls[i];
     if (!(f.to > 0.0 && f.from > f.to && f.time > 0.0 && std::isfinite(f.from / f.time)))

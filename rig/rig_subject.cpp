@@ -180,8 +180,9 @@ std::string RigSubject::lacks(const std::string& id, const fit::Record& record) 
     pressure = std::fmax(pressure, std::fmax(largest.inner, largest.outer));
   }
   if (id == "mu_boundary" && film_ratio >= thick_film)
-    return fmt::format("rows with lambda < {:.0f}; the smallest lambda in this record is {:.3g}",
-                       thick_film, film_ratio);
+    return fmt::format(
+        "rows with a film ratio lambda < {:.0f}; the smallest lambda in this record is {:.3g}",
+        thick_film, film_ratio);
   if (id == "limiting_traction" && pressure < high_pressure)
     return fmt::format(
         "rows with a contact pressure well above {0:.1f} GPa (below {0:.1f} GPa, the limiting "

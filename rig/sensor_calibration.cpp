@@ -108,10 +108,10 @@ class Calibrator {
                       count(), readings_.front().torque));
     const int d = degree.value_or(1);
     if (torques() < d + 1 || count() < d + 2)
-      throw std::invalid_argument(fmt::format(
-          "{} readings at {} reference torques: a {} needs {} readings at {} torques, so that "
-          "their scatter is known",
-          count(), torques(), degree_name(d), d + 2, d + 1));
+      throw std::invalid_argument(
+          fmt::format("{} readings at {} reference torques: a {} needs {} readings at {} torques, "
+                      "so that the scatter of the readings is known",
+                      count(), torques(), degree_name(d), d + 2, d + 1));
   }
 
   /// Of the polynomials that leave readings and torques over.
@@ -160,7 +160,7 @@ class Calibrator {
     if (!(p < sensor_significance))
       throw std::invalid_argument(
           fmt::format("the signal does not follow the reference torque: a line explains {:.3g} % "
-                      "of its variance ({}); is it the right column?",
+                      "of the variance of the signal ({}); is the signal column the right one?",
                       square > 0.0 ? 100.0 * (1.0 - line_.square / square) : 0.0, chance(p)));
   }
 
@@ -207,8 +207,8 @@ class Calibrator {
     const double p = result_.higher_terms_p_value = higher_terms(fit_);
     if (!(p < sensor_significance)) return;
     result_.warnings.push_back(record::note::misfit(
-        fmt::format("a {} differs from the readings by up to {:.3g} V, {:.2g} % of the range, "
-                    "which is not by chance ({}): use --degree {}",
+        fmt::format("a {} differs from the readings by up to {:.3g} V, {:.2g} % of the signal "
+                    "range, which is not by chance ({}): use --degree {}",
                     degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
                     chance(p), best_)));
   }
@@ -242,8 +242,8 @@ class Calibrator {
     // Where higher terms do better, that has been said.
     if (lack.p_value < sensor_significance && !(result_.higher_terms_p_value < sensor_significance))
       result_.warnings.push_back(record::note::misfit(fmt::format(
-          "the means at each torque differ from the {} by up to {:.3g} V, {:.2g} % of the range, "
-          "which is more than the scatter of repeated readings (F = {:.3g}, {})",
+          "the means at each torque differ from the {} by up to {:.3g} V, {:.2g} % of the signal "
+          "range, which is more than the scatter of repeated readings (F = {:.3g}, {})",
           degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
           lack.statistic, chance(lack.p_value))));
   }
@@ -295,8 +295,8 @@ class Calibrator {
     if (h.p_value < sensor_significance)
       result_.warnings.push_back(record::note::misfit(fmt::format(
           "hysteresis: the signal at falling torque differs from the signal at rising torque by "
-          "{:+.3g} V on average and by {:+.3g} V ({:.2g} % of the range) at {:.4g} N m ({}); the "
-          "curve is in the middle, and the scatter includes half of the difference",
+          "{:+.3g} V on average and by {:+.3g} V ({:.2g} % of the signal range) at {:.4g} N m "
+          "({}); the curve is in the middle, and the scatter includes half of the difference",
           h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
   }
 
@@ -322,11 +322,11 @@ class Calibrator {
     const double p = result_.even_scatter_p_value = fit::chi_squared_above(1.0, count() * share);
     if (!(p < sensor_significance)) return;
     set_covariance(robust_covariance(fit_));
-    result_.warnings.push_back(record::note::noise(fmt::format(
-        "the scatter is {:.3g} V in the lower half of the range and {:.3g} V in the upper ({}): "
-        "the standard errors remain valid, but the scatter of a single reading is only correct on "
-        "average",
-        result_.scatter_low, result_.scatter_high, chance(p))));
+    result_.warnings.push_back(record::note::noise(
+        fmt::format("the scatter of the signal is {:.3g} V in the lower half of the range and "
+                    "{:.3g} V in the upper half ({}): the standard errors remain valid, but the "
+                    "scatter of a single reading is only correct on average",
+                    result_.scatter_low, result_.scatter_high, chance(p))));
   }
 
   /// Readings whose residual, of a fit without them, chance does not bring once in a hundred such
@@ -343,7 +343,7 @@ class Calibrator {
       if (!(t > limit) || ++found > shown) continue;
       result_.warnings.push_back(record::note::check_data(
           fmt::format("line {}: {:.6g} V at {:.6g} N m is {:+.3g} V off the curve, {:.3g} times "
-                      "the scatter of the others; is it a typing error?",
+                      "the scatter of the other readings; is it a typing error?",
                       readings_[i].line, readings_[i].signal, readings_[i].torque, e / free, t),
           {.line = readings_[i].line}));
     }

@@ -95,7 +95,7 @@ std::string note_outside(const TorqueSensor& s, std::span<const double> signals,
     reach += fmt::format("{}up to {:.5g}", reach.empty() ? "" : " and ", most);
   return fmt::format(
       "signals outside the calibrated range of {:.5g} to {:.5g} V: {} of {}, {} V (line{} {}{}); "
-      "the torques there are extrapolated along the tangent at the end of the range",
+      "the program extrapolates their torques along the tangent at the end of the range",
       s.lowest_signal, s.highest_signal, count, all, reach, count == 1 ? "" : "s", places,
       count > most_named ? ", ..." : "");
 }

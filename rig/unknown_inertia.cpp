@@ -18,8 +18,8 @@ double matching_inertia(const model::ModelSubject& subject, const record::Record
   }
   if (!(of_model > 0.0 && of_record > 0.0))
     throw std::invalid_argument(unit.source +
-                                ": inertia_kgm2 = \"unknown\" needs a torque that the model "
-                                "predicts; enter usual friction factors");
+                                ": inertia_kgm2 = \"unknown\" needs predicted torques above 0 in "
+                                "these rows; enter usual friction factors in the model");
   return of_model / of_record;
 }
 

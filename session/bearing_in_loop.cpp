@@ -346,9 +346,10 @@ std::unique_ptr<LoopModel> open_bearing(Messages& messages, const Source& source
   for (const fit::Measured& m : files::measurable(file.model)) known.emplace_back(m.channel->name);
   if (!options.channel.empty() &&
       std::find(known.begin(), known.end(), options.channel) == known.end())
-    throw text::InputError(fmt::format("--channel {}: {} predicts {}", options.channel, file.source,
-                                       text::listed(known)),
-                           {.file = file.source, .key = "--channel"});
+    throw text::InputError(
+        fmt::format("--channel {}: {} does not predict this channel; it predicts {}",
+                    options.channel, file.source, text::listed(known)),
+        {.file = file.source, .key = "--channel"});
   return std::make_unique<BearingInLoop>(std::move(file), options.defaults);
 }
 

@@ -31,9 +31,10 @@ std::string judgement(const friction::contact::ContactResult& r) {
                          std::pair{r.drag, "drag of the balls in the oil"}};
   const auto& largest = *std::max_element(
       parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  return fmt::format("{} (smallest lambda {:.3g}); largest part: {}, {:.0f} %",
-                     regime(r.friction.smallest_film_ratio), r.friction.smallest_film_ratio,
-                     largest.second, 100.0 * largest.first / r.moment());
+  return fmt::format(
+      "{} (smallest lambda {:.3g}); largest part of the friction torque: {}, {:.0f} %",
+      regime(r.friction.smallest_film_ratio), r.friction.smallest_film_ratio, largest.second,
+      100.0 * largest.first / r.moment());
 }
 
 std::string balls_statement(const model::Model& model, const bearing::OperatingPoint& point) {

@@ -106,7 +106,7 @@ class CorrectionInLoop final : public LoopModel {
                     .defaults = file_.defaults};
     if (const std::string leaves = correction::beyond_element(model(), data); !leaves.empty())
       messages.say(record::note::no_prediction(
-          fmt::format("{}: {}: the rows from there on have no prediction and are not used",
+          fmt::format("{}: {}: the rows from this row on have no prediction and are not used",
                       file_.source, leaves),
           {.file = data.source}));
     const correction::Series series(data);
@@ -172,8 +172,8 @@ std::unique_ptr<LoopModel> open_correction(Messages& messages, const Source& sou
                           ? known.begin()
                           : std::find(known.begin(), known.end(), options.channel);
   if (chosen == known.end())
-    throw text::InputError(fmt::format("--channel {}: {} models {}", options.channel, file.source,
-                                       text::listed(known)),
+    throw text::InputError(fmt::format("--channel {}: {} does not model this channel; it models {}",
+                                       options.channel, file.source, text::listed(known)),
                            {.file = file.source, .key = "--channel"});
   const auto index = static_cast<std::size_t>(chosen - known.begin());
   options.tolerance.set(file.models[index], file.source);

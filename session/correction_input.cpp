@@ -139,8 +139,8 @@ std::vector<std::string> range_notes(const correction::Model& model,
     const std::vector<double> share = correction::extrapolated(model, series, beyond);
     const auto most = std::max_element(share.begin(), share.end());
     notes.push_back(
-        fmt::format("outside the training data a regression extrapolates linearly: {:.3g} {} of "
-                    "its prediction in {} are extrapolation",
+        fmt::format("outside the training data a regression extrapolates linearly. The largest "
+                    "extrapolated part of its prediction is {:.3g} {} in {}",
                     *most / um, correction::unit_of(model),
                     when(record, static_cast<std::size_t>(most - share.begin()))));
   }

@@ -24,7 +24,7 @@ std::vector<std::string> cannot_tell(const Sensitivity& s, const fit::SobolIndic
   std::vector<std::string> lines;
   if (2 * found.complete < s.samples)
     return {fmt::format(
-        "only {} of {} samples have a value, so the indices describe only these samples",
+        "only {} of {} samples have a prediction, so the indices describe only these samples",
         found.complete, s.samples)};
   std::vector<std::size_t> order(found.inputs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -229,9 +229,9 @@ ArxModels::Text ArxModels::text() const {
           {.file = asked.data.source, .key = "--baseline"});
     models.push_back(correction::with_arx(asked.file.models[k], baseline, *best));
     result.notes.push_back(record::note::limits(
-        fmt::format("{}: ARX of order {} has the smallest error over the second half ({:.3g} "
-                    "{unit} simulated, {:.3g} {unit} one step ahead). A control runs the "
-                    "simulation, and only with calls every {:.10g} s",
+        fmt::format("{}: ARX of order {} has the smallest RMS error over the second half of the "
+                    "record ({:.3g} {unit} simulated, {:.3g} {unit} one step ahead). A control "
+                    "runs the simulation and must call it every {:.10g} s",
                     displacement->name, best->order, best->second_half.rms / um,
                     best->one_step.rms / um, baseline.sampling,
                     fmt::arg("unit", displacement->unit)),

@@ -322,8 +322,8 @@ Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
 std::vector<record::Note> states_not_counted(const model::Model& model) {
   if (model.law != friction::FrictionLaw::table) return {};
   return {record::note::limits(fmt::format(
-      "for states outside the friction table {} ({}), the program uses the value at the "
-      "edge; this command does not count these states, but raceway spindle does",
+      "for states outside the friction table {} ({}), the program uses the value at the edge of "
+      "the table; this command does not count these states, but raceway spindle does",
       model.table->file, model.table->range()))};
 }
 

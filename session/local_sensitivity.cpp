@@ -120,8 +120,9 @@ void take_spreads(const model::Model& model, const SensitivityQuestion& q, Data&
     datum.spread_from = "given";
     if (datum.whole && datum.spread != std::floor(datum.spread))
       throw text::InputError(
-          fmt::format("spread of {} = {}: must be a whole number, because it is a number of parts",
-                      text.name, text.text),
+          fmt::format(
+              "spread of {} = {}: must be a whole number, because the varied quantity is a count",
+              text.name, text.text),
           {.key = text.name});
   }
 }

@@ -171,7 +171,7 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
     verdict::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);
   if (!how.refit.empty())
     messages.say(record::note::assumed(fmt::format(
-        "{} {} refitted to {} in each model; all other values are from the files",
+        "{} {} refitted to {} in each model; all other values are from the model files",
         fmt::join(how.refit, " and "), how.refit.size() == 1 ? "is" : "are", result.data.source)));
   if (!options.per_record.empty())
     messages.say(record::note::assumed(fmt::format(

@@ -30,12 +30,13 @@ std::vector<std::string> shaft_warnings(const model::Model& model,
   std::vector<std::string> lines;
   for (const shaft::UnloadedRange& r : shaft::unloaded_ranges(model, points, predictions)) {
     const std::string places = places_of(r, model.shaft->arrangement), speeds = speeds_of(r);
-    lines.push_back(r.what == shaft::Unloaded::no_contact
-                        ? fmt::format("{}: balls have no contact with the inner ring {}; no load",
-                                      places, speeds)
-                        : fmt::format("{}: the load is below the minimum load {}: {:.4g} N instead "
-                                      "of {:.4g} N; balls may skid",
-                                      places, speeds, r.load, r.minimum_load));
+    lines.push_back(
+        r.what == shaft::Unloaded::no_contact
+            ? fmt::format("{}: without load, the balls have no contact with the inner ring {}",
+                          places, speeds)
+            : fmt::format("{}: the load is below the minimum load {}: {:.4g} N instead of at least "
+                          "{:.4g} N; balls may skid",
+                          places, speeds, r.load, r.minimum_load));
   }
   return lines;
 }

@@ -54,7 +54,7 @@ void require_unbalance(const ModesQuestion& q, const spindle::Beam& beam) {
       q.unbalance->position > beam.length())
     throw text::InputError(
         fmt::format("unbalance of {:.6g} g mm at {:.6g} mm: the unbalance must be above 0, and its "
-                    "position on the shaft, from 0 to {:.6g} mm",
+                    "position must be on the shaft, from 0 to {:.6g} mm",
                     q.unbalance->size / (1e-3 * mm), q.unbalance->position / mm,
                     beam.length() / mm),
         {.key = "unbalance"});

@@ -52,11 +52,11 @@ std::vector<record::Note> notes_on_steps(const spindle::StepResponses& responses
     notes.push_back(record::note::assumed(fmt::format(
         "{} of {} step responses need two time constants", two, responses.steps.size())));
   if (!std::isnan(laws.gain_line.offset))
-    notes.push_back(record::note::assumed(
-        fmt::format("the lines K(P) and T(P) approximate the step responses: K(0) = {} um has no "
-                    "physical meaning; valid powers: {} to {} W",
-                    number(laws.gain_line.offset / um, 3), number(laws.valid_from),
-                    std::isinf(laws.valid_to) ? std::string("inf") : number(laws.valid_to))));
+    notes.push_back(record::note::assumed(fmt::format(
+        "the lines of gain K(P) and time constant T(P) over the power P approximate the step "
+        "responses: K(0) = {} um has no physical meaning; valid powers: {} to {} W",
+        number(laws.gain_line.offset / um, 3), number(laws.valid_from),
+        std::isinf(laws.valid_to) ? std::string("inf") : number(laws.valid_to))));
   return notes;
 }
 
@@ -93,11 +93,12 @@ correction::Model chosen_model(Messages& messages, const SpindleSteps& steps,
   const results::Superposition of_two =
       results::superposition(*model, two, trial, conditions_of(steps), q.cancelled);
   if (!of_one.report.converged()) return two;
-  messages.say(record::note::assumed(
-      fmt::format("test over {:.0f} h with a new speed every half hour: RMS error {:.3g} um with "
-                  "one delay element, {:.3g} um with two. The correction has {}; {} changes this",
-                  trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
-                  of_one.rms <= of_two.rms ? "one" : "two", named(q.wording, "--lags", "lags"))));
+  messages.say(record::note::assumed(fmt::format(
+      "test over {:.0f} h with a new speed every half hour: RMS error {:.3g} um with one delay "
+      "element, {:.3g} um with two. The correction has {} delay element{}; {} changes this number",
+      trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
+      of_one.rms <= of_two.rms ? "one" : "two", of_one.rms <= of_two.rms ? "" : "s",
+      named(q.wording, "--lags", "lags"))));
   return of_one.rms <= of_two.rms ? one : two;
 }
 

@@ -197,8 +197,8 @@ std::vector<std::string> ShaftSubject::records_needed(
 
 model::Expected ShaftSubject::expected() const {
   const std::string rings =
-      "the value of [arrangement] for all rows, or the mounting temperature if [arrangement] has "
-      "no value";
+      "the ring temperature under [arrangement] for all rows, or the mounting temperature if "
+      "[arrangement] has no value";
   model::Expected e;
   e.defaults = {
       {&record::speed, unset, ""},

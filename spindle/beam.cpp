@@ -185,7 +185,8 @@ Beam::Beam(const model::ShaftBody& body, std::span<const double> places, const B
 Eigen::SparseMatrix<double> Beam::held_by(std::span<const double> places,
                                           std::span<const PlaneSpring> springs) const {
   if (places.size() != springs.size())
-    throw std::invalid_argument("springs: give one for each position");
+    throw std::invalid_argument(
+        "springs: the number of springs must equal the number of positions");
   Eigen::SparseMatrix<double> held = stiffness_;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto v = static_cast<Eigen::Index>(2 * node_at(places[i]));

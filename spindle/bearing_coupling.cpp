@@ -85,7 +85,9 @@ BearingCoupling::BearingCoupling(const model::Model& model,
   Vector cold = Vector::Constant(last + 1, sets_.arrangement().design().mounting_temperature);
   cold[last] = 0.0;
   if (!set_inputs({}) || !bear(cold))
-    throw std::invalid_argument("the belt force separates the sets at standstill");
+    throw std::invalid_argument(
+        "at standstill, the bearing sets have no equilibrium with the belt force: reduce the belt "
+        "force or increase the preload");
   bent_rest_ = sets_.position() - sets_.sets().position;
 }
 

@@ -18,7 +18,7 @@ double moment_between(const RadialTemperature& from, const RadialTemperature& to
 void validate_profile(const std::vector<RadialTemperature>& profile) {
   if (profile.size() < 2 || !(profile.front().radius >= 0.0))
     throw std::invalid_argument(
-        "profile: at least two radii are needed, and the first must be 0 or more");
+        "profile: at least two radii are needed, and the first radius must be 0 m or more");
   for (std::size_t k = 0; k + 1 < profile.size(); ++k)
     if (!(profile[k].radius < profile[k + 1].radius))
       throw std::invalid_argument("profile: the radii must be in ascending order");

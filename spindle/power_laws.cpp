@@ -127,7 +127,7 @@ double PowerLaw::operator()(double power) const { return factor * std::pow(power
 MonotoneCurve::MonotoneCurve(std::vector<double> x, std::vector<double> y)
     : x_(std::move(x)), y_(std::move(y)), slope_(x_.size(), 0.0) {
   if (x_.empty() || x_.size() != y_.size())
-    throw std::invalid_argument("a curve needs a value for each of its points");
+    throw std::invalid_argument("a curve needs as many values as points, and at least one point");
   if (std::adjacent_find(x_.begin(), x_.end(), std::greater_equal<>()) != x_.end())
     throw std::invalid_argument(
         "the points of a curve must be in ascending order, without duplicates");
@@ -168,8 +168,8 @@ PowerLaws fit_power_laws(std::span<const LagAt> points) {
     if (!(p.input >= 0.0) || !std::isfinite(p.input))
       throw std::invalid_argument(fmt::format("power = {} W: must be 0 W or more", p.input));
     if (!std::isfinite(p.gain) || !std::isfinite(p.time_constant))
-      throw std::invalid_argument(
-          fmt::format("the step response at {} W has no gain or time constant", p.input));
+      throw std::invalid_argument(fmt::format(
+          "the step response at {} W has no finite gain or no finite time constant", p.input));
   }
   return fit_load_laws(points);
 }

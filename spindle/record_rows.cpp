@@ -17,8 +17,8 @@ std::span<const double> input_of(const record::Record& record, const record::Cha
   for (std::size_t row = 0; row < values.size(); ++row)
     if (std::isnan(values[row]))
       throw std::invalid_argument(
-          fmt::format("{}: {} has no number: an input is needed in every row", record.place(row),
-                      channel.name));
+          fmt::format("{}: {} has no value: an input column needs a value in every row",
+                      record.place(row), channel.name));
   return values;
 }
 
@@ -55,9 +55,9 @@ std::vector<ProfileRow> profile_of(const record::Record& record) {
           "{}: time_s = {:.10g} s: time must increase, but the row before has {:.10g} s",
           record.place(row), time[row], time[row - 1]));
     if (time[row] - time[0] > longest)
-      throw std::invalid_argument(
-          fmt::format("{}: time_s = {:.10g} s: a programme lasts at most {:g} s, 10 years",
-                      record.place(row), time[row], longest));
+      throw std::invalid_argument(fmt::format(
+          "{}: time_s = {:.10g} s: a record can last at most {:g} s (10 years) from its first row",
+          record.place(row), time[row], longest));
     // Temperatures are read in their own row.
     const bool from_row = record.settings_hold != record::SettingsHold::until_row;
     const std::size_t set = from_row && row > 0 ? row - 1 : row;

@@ -82,7 +82,8 @@ double interference_for(const bearing::RollerBearing& bearing, const RollerSeats
   if (g.clearance_state != bearing::ClearanceState::free || !(taken >= 0.0)) {
     std::ostringstream text;
     text << "mounted_clearance = " << mounted_clearance / um << " um: must be at most "
-         << g.radial_clearance / um << " um, the clearance before mounting";
+         << g.radial_clearance / um
+         << " um, the clearance of the bearing, which must be the clearance before mounting";
     throw std::invalid_argument(text.str());
   }
   // A seat that holds is linear in its interference.

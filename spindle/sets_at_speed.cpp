@@ -78,7 +78,7 @@ SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
   }
   result.clearances = clearances(inputs.speed, result.moment);
   if (!parts_->sets.set_inputs(inputs) || !parts_->sets.solve(asked)) {
-    result.message = "the sets have no equilibrium";
+    result.message = "the bearing sets have no equilibrium";
     return result;
   }
   result.condition = parts_->sets.asked();

@@ -22,7 +22,7 @@ enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_li
 
 /// Returns the name of the status in result files, such as "thermal_runaway".
 [[nodiscard]] std::string_view name(Status status);
-/// Returns the status in words, such as "the sets have no equilibrium".
+/// Returns the status in words, such as "the bearing sets have no equilibrium".
 [[nodiscard]] std::string_view words(Status status);
 
 /// Operating conditions of a spindle. Unless stated otherwise, the simulation replaces an input

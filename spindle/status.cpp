@@ -23,11 +23,11 @@ std::string_view words(Status status) {
     case Status::converged:
       return "converged";
     case Status::no_equilibrium:
-      return "the sets have no equilibrium";
+      return "the bearing sets have no equilibrium";
     case Status::thermal_runaway:
       return "thermal runaway: friction heat raises the preload faster than heat can leave";
     case Status::step_limit:
-      return "the maximum number of steps was reached";
+      return "the maximum number of time steps was reached";
     case Status::not_run:
       break;
   }

@@ -114,8 +114,8 @@ class ProjectedStep {
 void check_step(std::span<const double> time, std::span<const double> displacement) {
   if (time.size() != displacement.size())
     throw std::invalid_argument(
-        fmt::format("{} times and {} displacements: both numbers must be equal", time.size(),
-                    displacement.size()));
+        fmt::format("number of times: {}, number of displacements: {}; both numbers must be equal",
+                    time.size(), displacement.size()));
   double first = std::numeric_limits<double>::infinity(), last = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < time.size(); ++k) {
     if (!std::isfinite(time[k]) || time[k] < 0.0)
@@ -188,7 +188,8 @@ StepFit fit_step(std::span<const double> time, std::span<const double> displacem
 std::vector<double> fit_decay(std::span<const double> time, std::span<const double> displacement,
                               std::span<const double> gains) {
   check_step(time, displacement);
-  if (gains.empty() || gains.size() > 2) throw std::invalid_argument("a decay has one or two lags");
+  if (gains.empty() || gains.size() > 2)
+    throw std::invalid_argument("gains: give one or two, one for each lag of the decay");
   const Eigen::Map<const Eigen::VectorXd> t(time.data(), static_cast<Eigen::Index>(time.size())),
       u(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
   const auto [lower, upper] = log_bounds(time);

@@ -135,9 +135,9 @@ void check_step_options(std::span<const double> speeds, const StepOptions& optio
       throw std::invalid_argument(
           fmt::format("speed = {:.6g} rpm: must be above 0 rpm for a step", speed / rpm));
   if (!(options.row > 0.0) || !(options.duration >= 3.0 * options.row))
-    throw std::invalid_argument(
-        fmt::format("{:.6g} s with rows every {:.6g} s: a step response needs at least three rows",
-                    options.duration, options.row));
+    throw std::invalid_argument(fmt::format(
+        "duration {:.6g} s with a row every {:.6g} s: a step response needs at least three rows",
+        options.duration, options.row));
 }
 
 }  // namespace

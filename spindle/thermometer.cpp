@@ -61,7 +61,8 @@ int nearest_cell(const Mesh& mesh, const model::ThermometerPlace& place) {
 Shares thermometer(const Mesh& mesh, const model::ThermometerPlace& place) {
   const int cell = nearest_cell(mesh, place);
   if (cell < 0)
-    throw std::invalid_argument(fmt::format("sensor {}: the spindle has no such part", place.name));
+    throw std::invalid_argument(fmt::format(
+        "sensor {}: the spindle does not have the part that this sensor measures", place.name));
   std::map<int, double> sum;
   for (const Share& column : between(mesh, cell, true, place.position))
     for (const Share& row : between(mesh, column.cell, false, place.radius))

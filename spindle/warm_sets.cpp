@@ -62,7 +62,8 @@ WarmSets::WarmSets(const model::Model& model, const effects::SpindleCondition& c
   const double other = std::clamp(condition.other_preload_feedback, 0.0, 1.0);
   feedback_ = model.spindle->preload_feedback ? 1.0 - other : other;
   if (!balance_.mount(model_, steps_))
-    throw std::invalid_argument("arrangement: the sets cannot be mounted with these values");
+    throw std::invalid_argument(
+        "arrangement: the bearing sets have no equilibrium at mounting with these values");
   const auto bearings = arrangement().bearings();
   heat_.resize(bearings.size());
   for (const bearing::MountedBearing& m : bearings)

@@ -62,8 +62,8 @@ Run past_of(Simulator& simulator, const Inputs& inputs, std::span<const double> 
 
 std::string WarmStart::statement() const {
   return fmt::format(
-      "the thermometers are up to {:.2g} K above the room in the first row: the spindle starts "
-      "warm, as after {:.2g} h at {:.0f} rpm{}",
+      "the thermometers are up to {:.2g} K above the room temperature in the first row: the "
+      "simulation starts warm, as after {:.2g} h at {:.0f} rpm{}",
       rise, duration / 3600.0, inputs.speed / rpm,
       zeroed ? ", and the zero of the displacement follows from the fit to the readings" : "");
 }

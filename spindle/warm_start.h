@@ -17,8 +17,8 @@ struct WarmStart {
   double rise = unset;
   bool zeroed = false;  ///< true if the displacement was set to zero in the first row
 
-  /// Returns a sentence that begins like "the thermometers are up to 11 K above the room in the
-  /// first row: ...".
+  /// Returns a sentence that begins like "the thermometers are up to 11 K above the room
+  /// temperature in the first row: ...".
   [[nodiscard]] std::string statement() const;
 };
 

@@ -350,8 +350,8 @@ Approximation approximate(std::shared_ptr<const fit::Subject> subject, const Rec
 void require_fit(const Approximation& approximation) {
   if (approximation.fit.values.size() == 0 || !std::isfinite(approximation.fit.misfit))
     throw std::invalid_argument(
-        "no start of the fit predicts every reading; raceway compare names the rows without a "
-        "prediction, and why");
+        "the fit has no start values that predict every reading; raceway compare names the rows "
+        "without a prediction and the reason");
 }
 
 namespace {

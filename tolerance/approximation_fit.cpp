@@ -272,8 +272,8 @@ verdict::AddResult add_approximation(const fit::Subject& subject, std::span<cons
     for (const verdict::ChannelGain& gain : result.channels)
       tolerances.push_back(verdict::reading_text(gain.channel(), gain.tolerance));
     result.reason = fmt::format(
-        "without it the held-out error is {}, which is within the tolerance of {}: the model needs "
-        "no further effect",
+        "without the effect the held-out error is {}, which is within the tolerance of {}: the "
+        "model needs no further effect",
         held_out_text(base, channels, read, record), verdict::joined(tolerances, "and"));
   } else if (!(with.rms_held_out < base.rms_held_out)) {
     result.reason = fmt::format(

@@ -175,7 +175,8 @@ class Inquiry {
     if (all_go_one_way)
       throw std::invalid_argument(
           "this record cannot validate a model: it goes from one state to another only once, so no "
-          "part can test a fit to the rest. Record a cool-down as well, or a second speed profile");
+          "part of it can test a fit to the other part. Record a cool-down as well, or a second "
+          "speed profile");
   }
 
   /// Means of one channel.
@@ -299,7 +300,8 @@ class Inquiry {
   void leave_out_what_is_not_felt() {
     for (const Tried& t : singles_)
       if (!is_felt(t))
-        result_.not_testable.push_back({t.on.front()->id, "no reading depends on it"});
+        result_.not_testable.push_back(
+            {t.on.front()->id, "no reading of this record depends on the effect"});
     std::erase_if(singles_, [&](const Tried& t) { return !is_felt(t); });
   }
 
@@ -432,8 +434,9 @@ class Inquiry {
           std::all_of(near.begin(), near.end(), [](const Tried* t) { return t->is_wrong_data(); }))
         return false;
       result_.messages.push_back(record::note::plan(
-          fmt::format("{} explains the displacement better (error {}), but no mechanism is known "
-                      "for this column. Is the sensor of this column on the part that moves?",
+          fmt::format("{} explains the displacement better than the effects of the catalogue "
+                      "(error {}), but no mechanism is known for this column. Is the sensor of "
+                      "this column on the part that moves?",
                       column->ids().front(), error(*column))));
     }
     found_ = std::move(near);
@@ -742,10 +745,11 @@ class Inquiry {
           if (!next && t.kinds().front() != best.kinds().front() &&
               (best.has_column() || !t.has_column()))
             next = &t;
-        return fmt::format(
-            "Consistent with {}: {}; with this explanation the error is {}{}.", found_text(), base,
-            error(best),
-            next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");
+        return fmt::format("Consistent with {}: {}; with this explanation the error is {}{}.",
+                           found_text(), base, error(best),
+                           next ? fmt::format(", next best {} with an error of {}",
+                                              next->ids().front(), error(*next))
+                                : "");
       }
       case verdict::Verdict::ambiguous:
         return fmt::format(

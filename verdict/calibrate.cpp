@@ -95,7 +95,7 @@ void take_fit(const fit::Response& response, const fit::ResponseFit& fit,
   result.iterations = fit.iterations;
   if (!fit.converged) {
     result.messages.push_back(record::note::not_converged(
-        "the fit did not converge: no minimum was reached from two starts"));
+        "the fit did not converge: no two sets of start values lead to the same minimum"));
     return;
   }
   std::size_t moved = 0;
@@ -159,11 +159,12 @@ fit::ResponseFit fit_with_excess(const fit::Response& response, fit::ResponseFit
   for (std::size_t c = 0; c < channels; ++c)
     if (excess[c] > 0.0) {
       weighed.by_misfit = true;
-      result.messages.push_back(record::note::misfit(fmt::format(
-          "the misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}): the fit "
-          "adds {} to each, so the weights become more equal and the standard errors larger",
-          chi_square / (static_cast<double>(observed.size()) * (1.0 - share)),
-          reading_text(*observed.channels[c].channel, excess[c]))));
+      result.messages.push_back(record::note::misfit(
+          fmt::format("the misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}): "
+                      "the fit adds {} to each standard deviation, so the weights become more "
+                      "equal and the standard errors larger",
+                      chi_square / (static_cast<double>(observed.size()) * (1.0 - share)),
+                      reading_text(*observed.channels[c].channel, excess[c]))));
     }
   return fit;
 }
@@ -286,7 +287,8 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
         if (const std::string needed = p.held ? "" : started.lacks(p.name, *weighed.problem.record);
             !needed.empty())
           fitted.messages.push_back(record::note::not_identifiable(
-              fmt::format("{} needs {}: its value is uncertain", p.name, needed), {.key = p.name}));
+              fmt::format("the value of {} is uncertain: {} needs {}", p.name, p.name, needed),
+              {.key = p.name}));
       if (options.profile) profile(made);
       return std::move(fitted);
     }

@@ -249,7 +249,7 @@ std::string tolerance_text(const Comparison& c) {
 
 std::string statement_of(const Comparison& c) {
   const record::Channel& q = *c.channel;
-  const std::string misfit = fmt::format("The misfit ({:.3g} {})", c.rmse / q.factor, q.unit);
+  const std::string misfit = fmt::format("The RMS misfit ({:.3g} {})", c.rmse / q.factor, q.unit);
   const LackOfFit& test = c.lack_of_fit;
   const std::string noise = fmt::format("{:.2g} {}", c.noise.rms / q.factor, q.unit);
   const std::string statistic =
@@ -257,7 +257,7 @@ std::string statement_of(const Comparison& c) {
                   test.statistic, p_value_text(test.p_value));
   // A place is worse than the rest only if it errs clearly more than the average.
   const std::string place = !c.where.empty() && c.where.front().rmse > 1.2 * c.rmse
-                                ? "; it is worst " + where_text(c.where.front())
+                                ? "; the misfit is largest " + where_text(c.where.front())
                                 : "";
   const bool tested = std::isfinite(test.p_value);
   if (c.judgement == Judgement::structure && tested)
@@ -336,11 +336,11 @@ Judgement judged_by_tolerance(const Comparison& c) {
 std::string statement_beside(const Comparison& c) {
   const record::Channel& q = *c.channel;
   std::string text =
-      fmt::format("The misfit is {:.3g} {}", c.rmse / q.factor, unit_of_difference(q));
+      fmt::format("The RMS misfit is {:.3g} {}", c.rmse / q.factor, unit_of_difference(q));
   if (std::isfinite(c.noise.rms) && c.noise.rms > 0.0)
     text += fmt::format(", {:.2g} times the noise of a reading", c.rmse / c.noise.rms);
   if (!c.where.empty() && c.where.front().rmse > 1.2 * c.rmse)
-    text += "; it is worst " + where_text(c.where.front());
+    text += "; the misfit is largest " + where_text(c.where.front());
   return text + ".";
 }
 

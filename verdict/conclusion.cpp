@@ -57,9 +57,9 @@ std::string Investigation::sentence() const {
            hidden_text();
   if (outside_the_inputs())
     return fmt::format(
-        "The cause is not an input of the model: at nearly equal operating points runs differ by "
-        "{:.0f} % ({}; {}), and no law of these inputs can explain that. Find out what changes "
-        "from run to run before you add an effect.",
+        "The cause is not an input of the model: at nearly equal operating points the readings of "
+        "different runs differ by {:.0f} % ({}; {}), and no law of the inputs can explain this "
+        "difference. Find out what changes from run to run before you add an effect.",
         100.0 * hidden_->scatter, p_text(hidden_->run_p_value), difference_text(record_, *hidden_));
   switch (finding_.kind) {
     case Finding::Kind::single:
@@ -139,7 +139,8 @@ std::string Investigation::single_text() const {
     std::string next;
     for (const Explanation& e : search_->singles())
       if (&e != &best && e.fit.converged) {
-        next = fmt::format(", next best {} {:.0f} behind", id_of(e), best.gain - e.gain);
+        next =
+            fmt::format(", next best {} with a gain lower by {:.0f}", id_of(e), best.gain - e.gain);
         break;
       }
     const fit::Candidate& named = problem_.candidates[best.members.front()].candidate;
@@ -172,7 +173,7 @@ std::string Investigation::rivals_text() const {
   for (const Explanation& e : search_->singles())
     if (near.size() < most_near && e.fit.converged && e.gain > result_.needed_gain &&
         search_->is_physics(e) && sizes_plausible(problem_, e))
-      near.push_back(fmt::format("{} ({:.0f} behind)", id_of(e), best - e.gain));
+      near.push_back(fmt::format("{} (gain lower by {:.0f})", id_of(e), best - e.gain));
   if (near.empty()) return "";
   return fmt::format(" Physical effects with the most similar shape: {}.", joined(near, "and"));
 }
@@ -193,7 +194,8 @@ std::string Investigation::several_text() const {
       "effect; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
       set.size() > 1
-          ? fmt::format(" {} other combination(s) of effects are equally good.", set.size() - 1)
+          ? fmt::format(" Number of other combinations of effects that are equally good: {}.",
+                        set.size() - 1)
           : "",
       error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
 }
@@ -298,7 +300,8 @@ std::string Investigation::other_bases_text() const {
     std::vector<std::string> names;  // of ids such as law:skf
     for (const OtherBaseTried& b : result_.other_bases)
       names.push_back(b.id.substr(b.id.find(':') + 1));
-    return fmt::format(" No other base law fits better (law = {}).", joined(names, "or"));
+    return fmt::format(" None of the other base laws fits better (tested: law = {}).",
+                       joined(names, "or"));
   }
   const ChannelDiagnosis& first = result_.channels.front();
   const std::string fall = fmt::format(

@@ -350,7 +350,7 @@ Eigen::VectorXd first_values(Evidence& evidence) {
   if (!first.converged)
     throw std::invalid_argument(
         problem.record->source + ": the fit of the model's own parameters does not converge; " +
-        (evidence.hint.empty() ? "free fewer of them, or check units of model and data"
+        (evidence.hint.empty() ? "free fewer parameters, or check the units of model and data"
                                : evidence.hint));
   evidence.size = fit::floored(observed, first.prediction, 1.0);
   return first.values;
@@ -408,7 +408,7 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
   if (!evidence.base.converged)
     throw std::invalid_argument(problem.record->source +
                                 ": the fit of the model's own parameters does not converge; free "
-                                "fewer of them, or check units of model and data");
+                                "fewer parameters, or check the units of model and data");
 }
 
 /// The noise of one channel held against what the refitted model leaves of it, and against repeats.

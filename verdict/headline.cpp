@@ -136,7 +136,7 @@ std::string one_of(const Diagnosis& d) {
   if (choices.size() > most) {
     const std::size_t more = choices.size() - most + 1;
     choices.resize(most - 1);
-    choices.push_back(fmt::format("one of {} others", more));
+    choices.push_back(fmt::format("one of {} other explanations", more));
   }
   return fmt::format("{} explains the misfit, but these data do not decide which; {}",
                      capital(joined(choices, "or")), errors(d));

@@ -214,10 +214,10 @@ void hold_dependent(const fit::Response& response, const fit::Whitening& whiteni
     }
     group.push_back(p.name);
     result.messages.push_back(record::note::not_identifiable(
-        fmt::format("these data cannot separate {}: {} is kept at {}, and the other {} without a "
-                    "standard error",
-                    joined(group, "and"), p.name, with_unit(p.value, p.unit, 5),
-                    group.size() == 2 ? "value is" : "values are"),
+        fmt::format(
+            "these data cannot separate {}: {} is kept at {}, and the other {} no standard error",
+            joined(group, "and"), p.name, with_unit(p.value, p.unit, 5),
+            group.size() == 2 ? "value has" : "values have"),
         {.key = p.name}));
   }
 }

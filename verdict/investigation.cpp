@@ -141,8 +141,8 @@ void Investigation::tell_declared_noise() {
     const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
     if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
     result_.messages.push_back(record::note::noise(
-        fmt::format("std_{} sets only the relative weights of the rows; a saturated regression "
-                    "gives a noise of {} instead of the declared {:.3g}",
+        fmt::format("std_{} sets only the relative weights of the rows; a regression with all "
+                    "testable effects gives a noise of {} instead of the declared {:.3g}",
                     d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
                     declared / d.channel().factor)));
   }
@@ -154,9 +154,10 @@ void Investigation::tell_of_runs() {
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.unknown_runs) (d.noise.undeclared_blocks ? blocks : runs) = true;
   if (blocks)
-    result_.messages.push_back(record::note::plan(
-        "the data do not show how much these blocks differ by chance, so effects that change from "
-        "block to block were not tested; measure each block twice, or mark the runs with run_id"));
+    result_.messages.push_back(
+        record::note::plan("the data do not show how much blocks of rows differ by chance, so "
+                           "effects that change from block to block were not tested; measure each "
+                           "block twice, or mark the runs with run_id"));
   const std::string nested = fit::nested_settings(*problem_.record);
   // Where levels were measured in two runs it is no plan that lacks anything.
   if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;
@@ -218,15 +219,16 @@ void Investigation::describe_base() {
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
     tell(record::note::rows_used(
-        fmt::format("{} row(s) are outliers and have less weight; the first is {}", outliers.size(),
-                    record_.place(outliers.front()))));
+        fmt::format("number of rows that are outliers and have less weight: {}; the first is {}",
+                    outliers.size(), record_.place(outliers.front()))));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
     tell(record::note::rows_used(fmt::format("{} of {} rows were used, chosen at random",
                                              result_.rows, evidence_.rows_in_record)));
   if (left_out > 0)
     tell(record::note::rows_used(
-        fmt::format("{} row(s) without a reading or a prediction are not used; the first is {}",
+        fmt::format("number of rows that are not used, because they have no reading or no "
+                    "prediction: {}; the first is {}",
                     left_out, record_.place(result_.rows_not_predicted.front()))));
   for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
     if (evidence_.base.at_bound[k])
@@ -240,14 +242,14 @@ void Investigation::describe_base() {
   for (const std::string& name : evidence_.idle) {
     const std::string needed = problem_.subject->lacks(name, *problem_.record);
     tell(record::note::not_identifiable("the readings do not depend on " + name +
-                                            ", so this value does not change" +
+                                            ", so the fit does not change this parameter" +
                                             (needed.empty() ? "" : ": it needs " + needed),
                                         {.key = name}));
   }
   for (const std::string& name : problem_.base)
     if (const std::string needed = problem_.subject->lacks(name, *problem_.record); !needed.empty())
-      tell(record::note::not_identifiable(name + " needs " + needed + ": its value is uncertain",
-                                          {.key = name}));
+      tell(record::note::not_identifiable(
+          "the value of " + name + " is uncertain: " + name + " needs " + needed, {.key = name}));
   if (!base_is_identifiable())
     tell(record::note::not_identifiable(joined(problem_.base, "and") +
                                         " cannot all be separated by these data, so their values "
@@ -363,8 +365,8 @@ bool Investigation::may_be_block_offsets(const Explanation& e) const {
 std::string Investigation::doubt_about_time(const Set& set) const {
   const bool doubtful = std::all_of(
       set.begin(), set.end(), [this](const Explanation* e) { return may_be_block_offsets(*e); });
-  return doubtful ? "but a zero that was set before each block of rows may look the same (mark the "
-                    "rows of each run with run_id)"
+  return doubtful ? "but a sensor zero that was set before each block of rows may change the "
+                    "readings in the same way (mark the rows of each run with run_id)"
                   : "";
 }
 
@@ -679,7 +681,7 @@ void Investigation::tell_of_all_rows() {
       square_after += y * y;
     }
     result_.messages.push_back(record::note::rows_used(
-        fmt::format("on all {} rows that can be predicted, the error changes from {:.3g} to {} "
+        fmt::format("on all {} rows that can be predicted, the RMS error changes from {:.3g} to {} "
                     "with the parameters from the rows of the fit",
                     rows, std::sqrt(square_before / rows) / channel.factor,
                     reading_text(channel, std::sqrt(square_after / rows)))));

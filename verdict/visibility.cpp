@@ -122,8 +122,9 @@ class Sizes {
     return s.unit_size > 0.0 ? s.size().upper : s.size().lower;
   }
   [[nodiscard]] std::string too_little(std::size_t k) const {
-    return fmt::format("even {}, the limit of its range, changes these data too little",
-                       with_unit(end_of_range(k), problem_.candidates[k].size().unit));
+    return fmt::format(
+        "even at {}, the limit of its range, the effect changes these data too little",
+        with_unit(end_of_range(k), problem_.candidates[k].size().unit));
   }
 
   /// What an effect of that size changes, its shapes as they begin; nothing without a prediction.

@@ -8,8 +8,8 @@ namespace raceway::correction {
 
 /// The ambient temperature moves the machine. The displacement follows the mean of the recorded
 /// ambient temperatures that are not inputs of the model, with a gain and a first-order lag.
-/// Without such a temperature, it follows the mean of the temperatures of the machine base that are
-/// not inputs of the model.
+/// Without such an ambient temperature, the displacement follows the mean of the temperatures of
+/// the machine base that are not inputs of the model.
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",

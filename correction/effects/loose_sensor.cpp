@@ -91,10 +91,11 @@ class Sensor {
 
   [[nodiscard]] std::string words(const Loose& l) const {
     return fmt::format(
-        "from {:.3g} h to {} it showed {:.0f} % of the temperature rise above the room temperature",
+        "from {:.3g} h to {} the sensor showed {:.0f} % of the temperature rise above the "
+        "room temperature",
         time_[l.begin] / hour,
         l.end < read_.size() ? fmt::format("{:.3g} h", time_[l.end] / hour)
-                             : std::string("the end"),
+                             : std::string("the end of the record"),
         50.0 * (l.seen + l.until));
   }
 

@@ -77,9 +77,9 @@ struct RecordedInput final : EffectKind {
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
   /// Returns the windows that are tried: a factor that rises linearly over the recorded range, the
-  /// upper half of this range, and each third of it. The lower half needs no window, because the
-  /// channel and the upper half together describe it. Limits are round numbers in the unit of the
-  /// column.
+  /// upper half of this range, and each third of it. The lower half needs no window: its response
+  /// is the response of the channel minus the response in the upper half. Limits are round numbers
+  /// in the unit of the column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);

@@ -75,12 +75,13 @@ std::vector<fit::Fault> SensorQuantisation::faults(const FittedRecord& in) const
     if (sensors.empty() || !explains(moved, in.left) ||
         !steps_with(*in.series.input(c.input), in.left, c.scale * c.feedthrough, begins))
       continue;
-    list.push_back({.id = std::string(quantisation_card.id),
-                    .datum = fmt::format("the sensor of {}", fmt::join(sensors, ", ")),
-                    .correction = fmt::format("its resolution is {:.3g} K, and the feedthrough of "
-                                              "channel {} passes each step to the displacement",
-                                              largest, c.name),
-                    .without = std::move(without)});
+    list.push_back(
+        {.id = std::string(quantisation_card.id),
+         .datum = fmt::format("the sensor of {}", fmt::join(sensors, ", ")),
+         .correction = fmt::format("its resolution is {:.3g} K, and the feedthrough of channel {} "
+                                   "passes each temperature step to the predicted displacement",
+                                   largest, c.name),
+         .without = std::move(without)});
   }
   return list;
 }

@@ -14,7 +14,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reads the tables of bearings and materials in a model file, for parse_model().
+/// Reads the tables of bearings and materials in a model file.
 namespace raceway::files {
 
 /// A bearing that a table of the model file describes, with its catalogue row.

@@ -15,7 +15,7 @@ namespace raceway::files {
 struct ColumnProposal {
   const record::Channel* channel;
   std::size_t column;
-  const text::Unit* unit = nullptr;  ///< null if not found
+  const text::Unit* unit = nullptr;  ///< unit of the column; null if not found
   /// Unit in the file, if raceway does not know it; otherwise empty.
   std::string unknown_unit{};
   bool excel_date = false, stamped = false;

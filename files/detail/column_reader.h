@@ -62,7 +62,7 @@ class ColumnReader {
   /// Times of a column for one order of its dates.
   struct Reading {
     text::DateOrder order;
-    std::vector<double> elapsed;  ///< since the first row [s]
+    std::vector<double> elapsed;  ///< times since the first row [s]
 
     /// Returns true if the times jump by most of a year between two rows.
     [[nodiscard]] bool jumps() const;

@@ -5,7 +5,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reads the table [columns] of a model file, for parse_model().
+/// Reads the table [columns] of a model file.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> column_tables();

@@ -29,10 +29,10 @@ struct ColumnSource {
 struct Recognised {
   struct Constant {
     const record::Channel* channel;
-    double value;      ///< SI
+    double value;      ///< value for all rows [SI]
     std::string from;  ///< origin of the value for messages: "[columns]"
   };
-  std::vector<ColumnSource> columns{};  ///< in the order of file_channels()
+  std::vector<ColumnSource> columns{};  ///< columns in the order of file_channels()
   std::vector<Constant> constants{};
   std::vector<std::string> others{};          ///< headers of unknown columns
   std::vector<const ColumnRule*> not_here{};  ///< rules for columns that another file may have

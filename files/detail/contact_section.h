@@ -10,7 +10,7 @@
 #include "files/detail/model_tables.h"
 
 /// Reads the keys of [lubricant], [bearing] and [friction] that only the contact law uses, and the
-/// table [life], for parse_model(). All functions throw InputError like read_model().
+/// table [life]. All functions throw InputError like read_model().
 namespace raceway::files {
 
 /// Returns the keys of the contact law in a table. A model with another law may contain these keys.

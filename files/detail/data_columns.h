@@ -45,7 +45,7 @@ struct DataColumns {
   /// contains the signal as the friction torque.
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< values of channels without a column
-  std::vector<std::string> others;              ///< unknown headers
+  std::vector<std::string> others;              ///< headers of unknown columns
   std::vector<record::Note> notes;              ///< notes on units
 
   /// Returns the column of this channel; null if the file has none.

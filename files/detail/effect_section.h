@@ -8,7 +8,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reads the tables [[effect]] of a model file, for parse_model().
+/// Reads the tables [[effect]] of a model file.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> effect_tables();

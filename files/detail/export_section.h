@@ -8,7 +8,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reads the table [export] of a correction file, for parse_correction().
+/// Reads the table [export] of a correction file.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> export_tables();

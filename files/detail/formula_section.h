@@ -15,7 +15,7 @@ namespace raceway::files {
 struct FormulaNumber {
   std::string name, unit = "1";
   double value = 0.0;
-  double lower = unset, upper = unset;  ///< NaN: no bound
+  double lower = unset, upper = unset;  ///< bounds for a fit; NaN: no bound
   bool in_braces = false;
 };
 

@@ -11,8 +11,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// Reads the tables [lubricant] and [friction] of a model file, for parse_model(). All functions
-/// throw InputError like read_model().
+/// Reads the tables [lubricant] and [friction] of a model file. All functions throw InputError like
+/// read_model().
 namespace raceway::files {
 
 /// Base friction law of a model file, and its parameter values in the order of

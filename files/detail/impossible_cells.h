@@ -12,10 +12,10 @@
 namespace raceway::files {
 
 /// Finds numbers in one column that instruments and loggers write instead of a reading, such as
-/// -9999, 9999.9, and 9.9e37 of IEEE 488.2. Such a number is a placeholder only if no other number
-/// of the column is near it. Temperatures and readings outside the allowed range of their channel
-/// are placeholders too, if there are at most a tenth as many of them as of other readings. More
-/// such numbers indicate another unit.
+/// -9999, 9999.9, and 9.9e37 of IEEE 488.2. A number such as -9999 is a placeholder only if no
+/// other number of the column is near it. Temperatures and readings outside the allowed range of
+/// their channel are placeholders too, if there are at most a tenth as many of them as of other
+/// readings. More such numbers indicate another unit.
 class ImpossibleCells {
  public:
   /// `with_sign`: true if the values may be negative. `table` and `source` must live longer than

@@ -7,9 +7,9 @@
 #include "files/used_default.h"
 #include "text/detail/toml_text.h"
 
-/// Finds values that the author of a model file marks as assumed or estimated. The mark is one of
-/// these two words in the comment after the value or after the header of the table. `raceway new`
-/// writes such marks.
+/// Finds values that the author of a model file marks as assumed or estimated. The mark is the word
+/// `assumed` or `estimated` in the comment after the value or after the header of the table.
+/// `raceway new` writes such marks.
 namespace raceway::files {
 
 /// Returns the marked values of all tables, in the order of the file. `text` is the text of the

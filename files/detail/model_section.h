@@ -57,7 +57,7 @@ struct MissingKey : text::InputError {
 };
 
 /// One table of a model file and its possible keys. The functions that read a value check its type
-/// and range. They throw std::logic_error for a key that is not in `keys`.
+/// and range. These functions throw std::logic_error for a key that is not in `keys`.
 class Section {
  public:
   /// If `table` is null, all keys are missing. If `keys` is not empty, throws InputError for other
@@ -66,9 +66,10 @@ class Section {
       : source_(std::move(source)), name_(std::move(name)), table_(table), keys_(std::move(keys)) {
     if (!keys_.empty()) refuse_others();
   }
-  /// Returns this table with all keys that it may have. Throws InputError for other keys in it.
+  /// Returns this table with all keys that it may have. Throws InputError if the table has other
+  /// keys.
   [[nodiscard]] Section with(Keys keys) const { return {source_, name_, table_, std::move(keys)}; }
-  /// Returns this table with some of its keys. It may have other keys.
+  /// Returns this table with some of its keys. The table may have other keys.
   [[nodiscard]] Section part(Keys keys) const {
     Section result = *this;
     result.keys_ = std::move(keys);
@@ -110,8 +111,8 @@ class Section {
   [[noreturn]] void fail_missing(std::string_view name, const std::string& why = "") const {
     fail_missing(key(name), why);
   }
-  /// Returns the missing ones of these keys, each as a text such as "[bearing] ball_count: must be
-  /// from 3 to 200".
+  /// Returns those of the keys `names` that the table lacks, each as a text such as "[bearing]
+  /// ball_count: must be from 3 to 200".
   [[nodiscard]] Names lacking(std::initializer_list<std::string_view> names) const {
     Names list;
     for (const std::string_view one : names)

@@ -8,15 +8,15 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
-/// Reads the tables [rig] and [solver] of a model file, for parse_model(). All functions throw
-/// InputError like read_model(). The tables may also contain the keys `further`.
+/// Reads the tables [rig] and [solver] of a model file. All functions throw InputError like
+/// read_model(). The tables may also contain the keys `further`.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> rig_tables();
 
 [[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
 
-/// Reads `tilt` in [solver]. It is the only key of [solver] for a cylindrical roller bearing.
+/// Reads `tilt` in [solver], the only key of [solver] for a cylindrical roller bearing.
 [[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
 
 /// Contents of [solver]. If `balanced_balls` is true, no race control is assumed; only for the

@@ -5,8 +5,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// Reads a table [bearing] with type = "cylindrical-roller" in a model file, for parse_model(). All
-/// functions throw InputError like read_model().
+/// Reads a table [bearing] with type = "cylindrical-roller" in a model file. All functions throw
+/// InputError like read_model().
 namespace raceway::files {
 
 /// Returns the key `type` of [bearing], which ball bearings and roller bearings have.

@@ -11,7 +11,7 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// Reads the table [arrangement] of a model file, for parse_model().
+/// Reads the table [arrangement] of a model file.
 namespace raceway::files {
 
 /// Values and functions of the model reader that read_shaft() needs.

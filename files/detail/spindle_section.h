@@ -9,8 +9,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// Reads the tables that only the model file of a spindle has, for parse_model(). All functions
-/// throw InputError like read_model().
+/// Reads the tables that only the model file of a spindle has. All functions throw InputError like
+/// read_model().
 namespace raceway::files {
 
 /// Returns the names of the tables that only the model file of a spindle has.

@@ -326,7 +326,7 @@ void contact_results(std::span<const BearingState<double>> states, std::span<con
     throw std::invalid_argument(
         "contact_results: the number of results must equal the number of states");
   if (!bearing::available(set))
-    throw std::invalid_argument("this computer does not have the instructions " +
+    throw std::invalid_argument("this computer does not support the instruction set " +
                                 std::string(bearing::name(set)));
   if (states.empty()) return;
   thread_local KernelMemory memory;

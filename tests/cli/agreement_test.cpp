@@ -79,7 +79,7 @@ TEST(Agreement, JsonPageAndTextStateOneEstimatedNoise) {
   const double estimated = noise["estimated_rms"];
   const std::string text = run(compare).out;
   const std::string words =
-      "noise of the data: not known (too few repeated rows, and no std_um in every row); "
+      "noise of the data: not known (too few repeated rows, and std_um is not given in every row); "
       "estimated ";
   const std::size_t at = text.find(words);
   ASSERT_NE(at, text.npos) << text;

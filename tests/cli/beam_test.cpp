@@ -175,7 +175,8 @@ TEST_F(BeamCommands, AnUnbalanceMovesTheNoseByTheStatedDamping) {
   EXPECT_EQ(outside.status, 1);
   EXPECT_THAT(
       outside.err,
-      HasSubstr("mm: the unbalance must be above 0, and its position on the shaft, from 0 to"));
+      HasSubstr(
+          "mm: the unbalance must be above 0, and its position must be on the shaft, from 0 to"));
 }
 
 TEST_F(BeamCommands, TheWarmSpindleHasAnotherPreloadThanTheColdOne) {

@@ -221,9 +221,10 @@ TEST_F(ContactLaw, FlagsFactorsOfOtherLawsAndEffectsThatItHasItself) {
   EXPECT_THAT(
       error_of(model + "f0 = 1.5\n"),
       HasSubstr("f0 = 1.5: this key is only for law = \"palmgren\", but the law is \"contact\""));
-  EXPECT_THAT(error_of(model + "\n[[effect]]\nid = \"spin-friction\"\n"),
-              HasSubstr("id = \"spin-friction\": needs another base law: the contact law already "
-                        "includes this effect as mu_boundary under [friction]"));
+  EXPECT_THAT(
+      error_of(model + "\n[[effect]]\nid = \"spin-friction\"\n"),
+      HasSubstr("id = \"spin-friction\": needs another base law, because the contact law already "
+                "includes this effect as mu_boundary under [friction]"));
   EXPECT_THAT(error_of(model + "oil_fraction = 0.01\n\n[[effect]]\nid = \"lubricant-drag\"\n"),
               HasSubstr("needs oil_fraction = 0 under [friction]"));
   EXPECT_THAT(error_of(replaced(model, "[lubricant]", "[lubricant]\neyring_stress_MPa = 50")),
@@ -246,12 +247,12 @@ TEST_F(ContactLaw, JudgesFilmAndFrictionInOneLine) {
   const json in = contact_cases("bearing_10000rpm").front().at("inputs");
   const std::string solve =
       "solve " + scratch_.write("my.toml", model_of(in, "steel")) + " --axial-load 500 --speed ";
-  EXPECT_THAT(
-      run(solve + "10000").out,
-      HasSubstr(
-          "full film (smallest lambda 15.7); largest part: rolling resistance of the oil, 98 %"));
-  EXPECT_THAT(run(solve + "0").out, HasSubstr("boundary friction (smallest lambda 0); largest "
-                                              "part: sliding in the contacts,"));
+  EXPECT_THAT(run(solve + "10000").out,
+              HasSubstr("full film (smallest lambda 15.7); largest part of the friction torque: "
+                        "rolling resistance of the oil, 98 %"));
+  EXPECT_THAT(run(solve + "0").out,
+              HasSubstr("boundary friction (smallest lambda 0); largest "
+                        "part of the friction torque: sliding in the contacts,"));
   EXPECT_THAT(run(solve + "10000").err, HasSubstr("balls may skid"));
 }
 

@@ -109,7 +109,7 @@ TEST_F(CorrectLearn, SaysWhatIsWrongWithItsFlags) {
   const std::string files = "correct " + path("z.toml") + " " + path("day.csv");
   const Result alone = run(files + " --every 4h");
   EXPECT_EQ(alone.status, 1);
-  EXPECT_THAT(alone.err, HasSubstr("--every: belongs to --learn"));
+  EXPECT_THAT(alone.err, HasSubstr("--every: only possible with --learn"));
   for (const char* const every : {"4", "4 mm", "h", "-1h", "0h", "nanh"}) {
     const Result r = run(files + " --learn --every '" + every + "'");
     EXPECT_EQ(r.status, 1) << every;

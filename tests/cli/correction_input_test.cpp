@@ -223,7 +223,8 @@ TEST_F(BesideABearing, WithoutDataBothAreChecked) {
 TEST_F(BesideABearing, AnOptionThatMeansNothingIsRefused) {
   const std::string bearing = scratch_.write("bearing.toml", model_text);
   expect_refused(run("compare " + bearing + " " + rig_ + " --channel displacement_z_um"),
-                 "--channel displacement_z_um: " + bearing + " predicts friction_torque_Nmm");
+                 "--channel displacement_z_um: " + bearing +
+                     " does not predict this channel; it predicts friction_torque_Nmm");
   expect_refused(run("compare " + bearing + " " + rig_ + " --zero first"), "--zero");
   expect_refused(run("diagnose " + model_ + " " + day_ + " --per-record front.gain_1"),
                  "--per-record: a correction is compared with one record");

@@ -119,8 +119,9 @@ TEST(CorrectionJson, AnAxisIsAskedForWhereThereAreSeveral) {
   const std::string model = scratch.write("z.toml", z_model()),
                     record = scratch.write("r.csv", with_feeds());
   const std::string tail = " --data " + record + " --force --json";
-  expect_refused(run("add " + model + " feed-axis-heat" + tail),
-                 "feed-axis-heat: which one? feed-axis-heat:x or feed-axis-heat:y");
+  expect_refused(
+      run("add " + model + " feed-axis-heat" + tail),
+      "the effect feed-axis-heat is ambiguous: write feed-axis-heat:x or feed-axis-heat:y");
   const json d = parsed(run("diagnose " + model + " " + record + " --json"));
   EXPECT_NE(effect(d, "feed-axis-heat", "axis", "x"), nullptr);
   EXPECT_NE(effect(d, "feed-axis-heat", "axis", "y"), nullptr);

@@ -121,9 +121,9 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
   const Result r = raceway("displacement", "--speed 0:12000:4000", spring);
   EXPECT_EQ(r.status, 0);
   // Z F_c tan(25 deg) grows with the speed squared and is 300 N near 6800 rpm.
-  EXPECT_THAT(r.err,
-              testing::ContainsRegex("warning: front_1, front_2: the load is below the minimum "
-                                     "load from 6[5-9][0-9][0-9] rpm on: 300 N instead of 300"));
+  EXPECT_THAT(r.err, testing::ContainsRegex(
+                         "warning: front_1, front_2: the load is below the minimum "
+                         "load from 6[5-9][0-9][0-9] rpm on: 300 N instead of at least 300"));
   EXPECT_THAT(r.err,
               testing::ContainsRegex(
                   "warning: rear_1: the load is below the minimum load from 9[0-9]+ rpm on"));
@@ -134,8 +134,8 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
 TEST_F(Displacement, WarnsOfLostContact) {
   const Result r = raceway("displacement", "--speed 0 --axial-load 2000");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("warning: front_1, front_2: balls have no contact with the inner "
-                               "ring from 0 rpm on; no load\n"));
+  EXPECT_THAT(r.err, HasSubstr("warning: front_1, front_2: without load, the balls have no contact "
+                               "with the inner ring from 0 rpm on\n"));
 }
 
 TEST_F(Displacement, SpeedsWithoutBalanceAreNamedAndEndInStatusTwo) {
@@ -196,7 +196,7 @@ TEST_F(Displacement, IsComparedInMicrometres) {
   const Result text = raceway("compare", data);
   EXPECT_THAT(text.out, HasSubstr("8 rows, axial displacement"));
   EXPECT_THAT(text.out, Not(HasSubstr("N mm")));
-  EXPECT_THAT(text.out, HasSubstr("no std_um in every row"));
+  EXPECT_THAT(text.out, HasSubstr("std_um is not given in every row"));
   const Result ladder =
       run("compare " + scratch_.file("my.toml") + " " + scratch_.file("my.toml") + " " + data);
   EXPECT_EQ(ladder.status, 0) << ladder.err;

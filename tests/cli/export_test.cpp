@@ -42,7 +42,7 @@ TEST(Export, RunsAsCorrectDoes) {
   const std::string data = scratch.write("record.csv", record);
   const Result written = run("export " + model + " --format python -o " + program);
   ASSERT_EQ(written.status, 0) << written.err;
-  EXPECT_THAT(written.err, HasSubstr("z.py written: 1 displacement of 2 parts from 2 inputs"));
+  EXPECT_THAT(written.err, HasSubstr("z.py written: 1 displacement with 2 terms from 2 inputs"));
   EXPECT_THAT(written.err,
               HasSubstr(", so the program cannot detect values outside the training data"));
   const auto exported = rows_of(run_shell("python3 " + program + " " + data).out);

@@ -86,7 +86,7 @@ TEST(RollerCommand, ATableHasTheRadialLoadAcross) {
   const std::string model = scratch.write("n1012.toml", n1012_text);
   const Result text = run("table " + model + " --speed 1000,4000 --radial-load 0,1000,2000");
   EXPECT_EQ(text.status, 0) << text.err;
-  EXPECT_THAT(text.out, HasSubstr("radial load across"));
+  EXPECT_THAT(text.out, HasSubstr("columns: radial load"));
   const Result rows = run("table " + model + " --speed 0 --radial-load 2000 --json");
   ASSERT_EQ(rows.status, 0) << rows.err;
   const json row = json::parse(rows.out)["rows"][0];

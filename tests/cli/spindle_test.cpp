@@ -68,7 +68,7 @@ TEST_F(SpindleCommand, TextAndJsonOfASteadyStateAgree) {
   const json s = parsed(spindle("--speed 6000 --steady --json"))["steady"][0];
   const Result text = spindle("--speed 6000 --steady");
   EXPECT_EQ(text.status, 0);
-  EXPECT_THAT(text.out, HasSubstr(fmt::format("set forces: front {:.4g} N, rear",
+  EXPECT_THAT(text.out, HasSubstr(fmt::format("forces of the bearing sets: front {:.4g} N, rear",
                                               s["front_force_N"].get<double>())));
   EXPECT_THAT(text.out, HasSubstr("cells; "));
   for (const json& surface : s["surfaces"])
@@ -333,7 +333,7 @@ TEST_F(SpindleCommand, SeatsAndTheShaftToItsRearEndAreTold) {
   EXPECT_DOUBLE_EQ(shaft.back()["position_mm"], 375.0);
   const std::string text = spindle("--speed 6000 --steady").out;
   EXPECT_THAT(text, HasSubstr("seat     on shaft  conducts  in housing  conducts\n"));
-  EXPECT_THAT(text, HasSubstr("rear end of the shaft relative to flange: -"));
+  EXPECT_THAT(text, HasSubstr("rear end of the shaft relative to the flange: -"));
 }
 
 // A spindle whose roller bearing at the belt is hidden: `add` once ended at 0 W, its bound, where

@@ -46,8 +46,9 @@ TEST(Tolerance, AboveTheErrorLeavesNothingThatMatters) {
   EXPECT_EQ(text.status, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("| noise, : tolerance\n"));
   EXPECT_THAT(text.out, HasSubstr("\ntolerance "));
-  EXPECT_THAT(text.out, testing::ContainsRegex("\nsignificant, but within the tolerance: "
-                                               ".*lubricant-drag"));
+  EXPECT_THAT(text.out,
+              testing::ContainsRegex("\neffects that are significant, but within the tolerance: "
+                                     ".*lubricant-drag"));
 }
 
 TEST(Tolerance, WithoutOneNothingIsSaidOfIt) {

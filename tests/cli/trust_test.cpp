@@ -12,9 +12,9 @@ using testing::Not;
 
 const std::string exact_record = source_dir() + "/data/corrections/exact/";
 const std::string one_way =
-    "do not use, because its record goes from one state to another only once, so the model is not "
-    "tested for another day: record a cool-down as well, or test it with another record (identify "
-    "--validate)";
+    "do not use, because the record of the fit goes from one state to another only once, so no "
+    "test shows the error on another day: record a cool-down as well, or test the model with "
+    "another record (identify --validate)";
 
 /// Identified on the first hours of a record, into found.toml of a folder.
 Result identified(const ScratchFolder& scratch, const std::string& flags) {
@@ -30,8 +30,8 @@ TEST(Trust, ACorrectionOfFourHoursIsNotExported) {
               testing::EndsWith("\ntrust in displacement_z_um: " + one_way + "\n"));
   EXPECT_THAT(file_text(found), HasSubstr("[correction.trust]  # " + one_way + "\nerror_um = "));
   EXPECT_THAT(run("correct " + found + " " + exact_record + "test.csv").out,
-              HasSubstr("\ntrust in displacement_z_um: do not use, because the error on this "
-                        "record is 14.9 um; the displacement without correction is 14.7 um\n"));
+              HasSubstr("\ntrust in displacement_z_um: do not use, because the RMS error on this "
+                        "record is 14.9 um; the RMS displacement without correction is 14.7 um\n"));
   expect_refused(run("export " + found + " --format python -o " + program), one_way);
   expect_refused(run("export " + found + " --format python -o " + program), "--accept-untrusted");
   const Result forced =
@@ -63,9 +63,10 @@ TEST(Trust, AWholeRecordIsGoodAndSaysSo) {
   // A tighter tolerance judges the same evidence anew.
   scratch.write("found.toml",
                 replaced(file_text(found), "tolerance_um = 1.0", "tolerance_um = 0.1"));
-  EXPECT_THAT(run("export " + found + " --format c").err,
-              HasSubstr("warning: trust in displacement_z_um: only inside its range: the error on "
-                        "held-out parts is 0.185 um (tolerance 0.1 um)"));
+  EXPECT_THAT(
+      run("export " + found + " --format c").err,
+      HasSubstr("warning: trust in displacement_z_um: only inside its range: the RMS error on "
+                "held-out parts is 0.185 um (tolerance 0.1 um)"));
 }
 
 TEST(Trust, AnotherRecordDecidesWhereOneWasGiven) {
@@ -78,8 +79,8 @@ TEST(Trust, AnotherRecordDecidesWhereOneWasGiven) {
   EXPECT_EQ(run("export " + scratch.file("found.toml") + " --format c").status, 0);
   EXPECT_THAT(
       identified(scratch, "--until 4h --order 1 --validate " + exact_record + "test.csv").out,
-      testing::EndsWith("do not use, because the error on another record is 14.9 um; the "
-                        "displacement without correction is 14.7 um\n"));
+      testing::EndsWith("do not use, because the RMS error on another record is 14.9 um; the "
+                        "RMS displacement without correction is 14.7 um\n"));
 }
 
 TEST(Trust, IsNotKnownOfAFileThatDoesNotSayIt) {

@@ -131,7 +131,8 @@ TEST(LagBank, RefusesWhatItCannotDo) {
   const LagBankOptions all{.inputs = inputs_of_all(made.record)};
   Model with_channel = bare_bank();
   with_channel.channels.push_back({.name = "a"});
-  EXPECT_THAT(refusal_of_bank(with_channel, made.record, all), HasSubstr("without them"));
+  EXPECT_THAT(refusal_of_bank(with_channel, made.record, all),
+              HasSubstr("remove them from the model"));
   Model warm = bare_bank();
   warm.initial_state = InitialState::free;
   EXPECT_THAT(refusal_of_bank(warm, made.record, all), HasSubstr("starts from a machine at rest"));

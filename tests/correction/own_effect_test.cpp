@@ -108,7 +108,8 @@ TEST(OwnEffect, ARowWithoutANumberIsNamed) {
     subject.require(made.record);
     FAIL();
   } catch (const std::invalid_argument& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("the formula of effect mine gives no number in"));
+    EXPECT_THAT(e.what(),
+                testing::HasSubstr("the formula of effect mine gives no finite value in"));
   }
 }
 

@@ -39,10 +39,11 @@ TEST(Trust, IsGoodWhereTheErrorHeldOutIsWithinTheTolerance) {
 
 TEST(Trust, IsNoneWhereNothingShowsAnotherDay) {
   EXPECT_THAT(line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.error = unset; })))),
-              StartsWith("do not use, because no part of its record could be held out"));
+              StartsWith("do not use, because no part of the record of the fit could be held out"));
   EXPECT_THAT(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.one_way = true; })))),
-      StartsWith("do not use, because its record goes from one state to another only once"));
+      StartsWith(
+          "do not use, because the record of the fit goes from one state to another only once"));
   EXPECT_EQ(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.duration = 0.4 * hour; })))),
       "do not use, because a time constant of front is 0.5 h, longer than the record of 0.4 h");
@@ -51,8 +52,8 @@ TEST(Trust, IsNoneWhereNothingShowsAnotherDay) {
 TEST(Trust, IsNoneWhereTheDisplacementItselfIsHardlyMore) {
   EXPECT_EQ(line_of(trust_of(judged_by(evidence_with(
                 [](Evidence& e) { e.error = 12.3 * um, e.uncorrected = 14.7 * um; })))),
-            "do not use, because the error on held-out parts is 12.3 um; the displacement without "
-            "correction is 14.7 um");
+            "do not use, because the RMS error on held-out parts is 12.3 um; the RMS displacement "
+            "without correction is 14.7 um");
 }
 
 TEST(Trust, IsWithinTheRangeWhereReadingsAreShortOrMoreIsLeftThanTolerated) {
@@ -61,7 +62,7 @@ TEST(Trust, IsWithinTheRangeWhereReadingsAreShortOrMoreIsLeftThanTolerated) {
             "shorter than three time constants");
   const Evidence coarse = evidence_with([](Evidence& e) { e.error = 2.5 * um; });
   EXPECT_EQ(line_of(trust_of(judged_by(coarse))),
-            "only inside its range: the error on held-out parts is 2.5 um (tolerance 1 um)");
+            "only inside its range: the RMS error on held-out parts is 2.5 um (tolerance 1 um)");
   // Without a tolerance a quarter of the displacement counts.
   Model untold = judged_by(coarse);
   untold.tolerance = unset;
@@ -75,7 +76,7 @@ TEST(Trust, GoesByAnotherRecordWhereThereIsOne) {
   EXPECT_EQ(line_of(trust_of(judged_by(shown))), "good");
   shown.error = 10 * um;
   EXPECT_THAT(line_of(trust_of(judged_by(shown))),
-              StartsWith("do not use, because the error on another record is 10 um"));
+              StartsWith("do not use, because the RMS error on another record is 10 um"));
 }
 
 TEST(Trust, OnARecordIsNoBetterThanItsReadings) {
@@ -86,10 +87,11 @@ TEST(Trust, OnARecordIsNoBetterThanItsReadings) {
   EXPECT_EQ(trust_on(model, {.rms = 1 * um}, 12 * um, inside).level, TrustLevel::good);
   EXPECT_EQ(trust_on(model, {}, unset, inside).level, TrustLevel::good);
   EXPECT_EQ(line_of(trust_on(model, {}, unset, outside)),
-            "only inside its range: 2 of the 100 rows are outside it");
-  EXPECT_EQ(line_of(trust_on(model, {.rms = 12.3 * um}, 14.7 * um, outside)),
-            "do not use, because the error on this record is 12.3 um; the displacement without "
-            "correction is 14.7 um");
+            "only inside its range: the range does not contain 2 of the 100 rows");
+  EXPECT_EQ(
+      line_of(trust_on(model, {.rms = 12.3 * um}, 14.7 * um, outside)),
+      "do not use, because the RMS error on this record is 12.3 um; the RMS displacement without "
+      "correction is 14.7 um");
 }
 
 /// Up and down again, with a gap in the readings; or up alone.

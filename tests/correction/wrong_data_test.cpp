@@ -101,8 +101,8 @@ TEST(WrongData, ASensorThatCameLooseIsNamedWithItsTimes) {
   ASSERT_FALSE(d.sets.empty()) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
   EXPECT_THAT(datum_of(d, "loose-sensor"),
-              HasSubstr("front_bearing_temperature_C: from 9.4 h to 13 h it showed 40 % of the "
-                        "temperature rise"));
+              HasSubstr("front_bearing_temperature_C: from 9.4 h to 13 h the sensor showed "
+                        "40 % of the temperature rise"));
 }
 
 /// A sensor that comes loose where the spindle is cold shows one leap: that of its return.
@@ -113,7 +113,7 @@ TEST(WrongData, OneEndIsEnough) {
   ASSERT_FALSE(d.sets.empty()) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
   EXPECT_THAT(datum_of(d, "loose-sensor"),
-              HasSubstr("to 10 h it showed 50 % of the temperature rise"));
+              HasSubstr("to 10 h the sensor showed 50 % of the temperature rise"));
 }
 
 TEST(WrongData, ALeapIsOneOfTheSensorAndNoBody) {

@@ -127,7 +127,8 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
                                             "external_load_N of [arrangement]"));
   EXPECT_THAT(
       texts(read("speed_rpm,inner_ring_temperature_C,axial_displacement_um\n1000,30,2\n").notes),
-      Contains("no column outer_ring_temperature_C: the value of [arrangement] for all rows, or "
+      Contains("no column outer_ring_temperature_C: the ring temperature under [arrangement] for "
+               "all rows, or "
                "the mounting temperature if [arrangement] has no value"));
   const Record both = read(
       "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm,std_Nmm,axial_displacement_um\n"

@@ -104,7 +104,7 @@ TEST(SpindleRecord, AProgrammeOfMoreThanTenYearsIsRefused) {
       read_rows("time_s,speed_rpm,shaft_end_temperature_C\n0,0,20\n3e8,100,20\n1e150,100,20\n");
   EXPECT_THAT([&] { (void)spindle::profile_of(r); },
               testing::ThrowsMessage<std::invalid_argument>(
-                  HasSubstr("time_s = 1e+150 s: a programme lasts at most 3.2e+08 s, 10 years")));
+                  HasSubstr("time_s = 1e+150 s: a record can last at most 3.2e+08 s (10 years)")));
 }
 
 TEST(SpindleRecord, GermanFileWithDatesIsRead) {

@@ -78,9 +78,10 @@ TEST(IsolatedReadings, BeyondTheRangeOfAllOthersNeedNoSteadySpeed) {
   record::Record record = with(lagging(), {60, 340}, 1000.0);
   const Isolated found = without_isolated_readings(record);
   EXPECT_EQ(found.rows, (std::vector<std::size_t>{60, 340}));
-  EXPECT_EQ(found.statement(),
-            "2 readings of axial displacement jump and return while the speed is steady, or by "
-            "more than three times the range of the others, and are not used, rows 61, 341");
+  EXPECT_EQ(
+      found.statement(),
+      "2 readings of axial displacement jump and return while the speed is steady, or by "
+      "more than three times the range of the other readings, and are not used, rows 61, 341");
   // A step of that size which stays is the machine, or another zero.
   std::vector<std::size_t> rows;
   for (std::size_t i = 330; i < 600; ++i) rows.push_back(i);
@@ -160,9 +161,8 @@ TEST(ImpossibleRows, AReadingFarBeyondAllOthersIsNamedAndLeftOut) {
   EXPECT_EQ(found.record.rows(), 39u);
   ASSERT_EQ(found.statements.size(), 1u);
   EXPECT_EQ(found.statements.front(),
-            "1 row has a friction torque that differs from all others by more than three times "
-            "their range "
-            "and is not used, line 13");
+            "1 row has a friction torque that differs from all other readings by more than three "
+            "times the range of these readings and is not used, line 13");
   // At a speed that no other row has it may be true.
   record.find(record::speed)->values[12] = 20000.0 * rpm;
   EXPECT_TRUE(without_impossible_rows(record).statements.empty());
@@ -190,7 +190,7 @@ TEST(IsolatedReadings, OfAnInputLeaveByItsWholeRange) {
   const Isolated found = without_isolated_readings(record, record::outer_ring_temperature, by);
   EXPECT_EQ(found.statement(),
             "1 reading of outer ring temperature jumps and returns by more than the range of the "
-            "others and is not used, rows 201");
+            "other readings and is not used, rows 201");
 }
 
 }  // namespace

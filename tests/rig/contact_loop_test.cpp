@@ -43,8 +43,9 @@ TEST(ContactLoop, FrictionOfAsperitiesAsksForThinFilms) {
   EXPECT_FALSE(fast.parameters[0].identifiable);
   EXPECT_EQ(fast.parameters[0].value, 0.10);
   EXPECT_THAT(texts(fast.messages),
-              Contains(HasSubstr("mu_boundary needs rows with lambda < 2; the smallest lambda in "
-                                 "this record is ")));
+              Contains(HasSubstr(
+                  "mu_boundary needs rows with a film ratio lambda < 2; the smallest lambda in "
+                  "this record is ")));
   const verdict::Calibration slow =
       loop::calibrate(RigSubject(model), rows({5, 10, 20, 50}, model));
   EXPECT_TRUE(slow.parameters[0].identifiable);

@@ -81,7 +81,7 @@ TEST(RollerModel, SaysWhatIsWrongInAFile) {
   EXPECT_THAT(why("", "[solver]\nrace_control = \"outer\"\n"),
               HasSubstr("race_control = \"outer\": this key is only for ball bearings"));
   EXPECT_THAT(why("", "[[effect]]\nid = \"spin-friction\"\n"),
-              HasSubstr("needs a ball bearing: cylindrical rollers do not spin"));
+              HasSubstr("needs a ball bearing, because cylindrical rollers do not spin"));
   EXPECT_THAT(
       message_of([] { (void)files::parse_model("[bearing]\nroller_count = 20\n", "ball.toml"); }),
       HasSubstr("roller_count = 20: this key is only for type = \"cylindrical-roller\""));

@@ -154,7 +154,7 @@ TEST(RollerRig, EffectsOfBallsAreNotTestedAndSayWhy) {
   const record::Record record = record_of(reference_case("friction", "calibrate_rig"));
   for (const char* id : {"spin-friction", "gyroscopic-slip", "differential-slip", "thermal-preload",
                          "load-offset", "centrifugal-ring-growth"})
-    EXPECT_THAT(subject.rules_out(id), HasSubstr("a ball bearing: ")) << id;
+    EXPECT_THAT(subject.rules_out(id), HasSubstr("a ball bearing, because ")) << id;
   for (const char* id : {"spin-friction", "load-offset"})
     EXPECT_EQ(subject.lacks(id, record), "") << id;
   EXPECT_EQ(subject.lacks("lubricant-drag", record), "");
