@@ -23,10 +23,10 @@ struct BearingCase {
   OperatingPoint point;
 };
 
-/// Finds the equilibria of many operating points, each without a neighbouring solution. The
-/// statuses equal the statuses of solve_bearing_equilibrium(), and the solutions agree within the
-/// tolerance. There is one exception: under inner control one load can have several equilibria, and
-/// another instruction set can find a different equilibrium because of rounding.
+/// Finds the equilibria of many operating points. No point starts from the solution of another
+/// point. The statuses equal the statuses of solve_bearing_equilibrium(), and the solutions agree
+/// within the tolerance. There is one exception: under inner control one load can have several
+/// equilibria, and another instruction set can find a different equilibrium because of rounding.
 ///
 /// Newton's method solves several points in parallel (SIMD), from the closed-form thrust solution.
 /// Points at which Newton's method does not converge are solved like single points. Threads share

@@ -197,7 +197,7 @@ struct ControlPlan {
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
               coolant = nowhere;            ///< indices of speed_rpm and coolant_on in `inputs`
-  std::vector<ControlTogether> together{};  ///< one for each model with a joint range
+  std::vector<ControlTogether> together{};  ///< one for each model with a range of several inputs
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};

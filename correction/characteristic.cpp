@@ -60,7 +60,7 @@ Characteristic::Characteristic(Table table) : form_(std::move(table)) {
   if (t.input.empty() || t.input.size() != t.value.size())
     throw std::invalid_argument("a table needs as many values as inputs, and at least one of each");
   if (std::adjacent_find(t.input.begin(), t.input.end(), std::greater_equal<>()) != t.input.end())
-    throw std::invalid_argument("the inputs of a table must be in ascending order");
+    throw std::invalid_argument("the inputs of a table must increase from value to value");
 }
 
 double Characteristic::operator()(double input) const {

@@ -65,9 +65,9 @@ const Key control_keys[]{
      "limit of the time between two calls; if more time passes without a restart, the program "
      "assumes that the clock was changed, and the offsets keep their values"},
     {"restart", one_of("decay|resume|rest"), usual_control.restart,
-     "state of the sections after the control was off for longer than longest_gap_s: decay (assume "
-     "speeds and feeds of 0 in this time), resume (assume that no time has passed) or rest (start "
-     "from a machine at rest)"},
+     "state of the lags of the correction after the control was off for longer than longest_gap_s: "
+     "decay (assume speeds and feeds of 0 in this time), resume (assume that no time has passed) "
+     "or rest (start from a machine at rest)"},
     {"touch_off", one_of("keep|clear"), usual_control.touch_off,
      "offset after a touch-off: keep the applied offset, or clear it to 0; later offsets are "
      "measured from this value"},

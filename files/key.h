@@ -65,7 +65,7 @@ struct Key {
   }
 };
 
-/// Keys of one table of a model file that one reader reads.
+/// Keys that one part of the program reads from one table of a model file.
 struct KeyTable {
   /// Name such as "bearing" or "correction.channel". The user replaces a part in capitals.
   std::string_view name;

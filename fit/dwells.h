@@ -22,7 +22,7 @@ inline constexpr record::Channel dwell_state{
 inline constexpr record::Channel dwell_scatter{
     .name = "dwell_scatter", .words = "scatter of a mean", .role = record::Role::deviation};
 
-/// Record after averaging over dwells, and numbers of its rows.
+/// Record after averaging over dwells, with counts of rows and dwells.
 struct Averaged {
   record::Record record{};  ///< one row for each dwell and for each row outside a dwell
   std::size_t rows = 0;     ///< number of rows before averaging

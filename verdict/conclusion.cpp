@@ -183,8 +183,8 @@ std::string Investigation::several_text() const {
   const Explanation& best = *set.front();
   if (!holds_)
     return fmt::format(
-        "Something is missing ({}); {} explains the rows of the fit, but the held-out rows do not "
-        "confirm it.",
+        "Something is missing ({}); {} together explain the rows of the fit, but the held-out rows "
+        "do not confirm this.",
         p_text(result_.p_value), id_of(best));
   if (!doubt_.empty())
     return fmt::format("Something is missing ({}); it acts like {} together, {}: {}.",

@@ -98,7 +98,7 @@ TEST(Messages, OfOneKindAtMostThreeArePrinted) {
   EXPECT_EQ(warnings, 4U) << r.err;
   EXPECT_THAT(r.err,
               testing::ContainsRegex(
-                  "warning: number of further messages of the kind .*: [0-9]+; --json lists all"));
+                  "warning: [0-9]+ more messages of the kind .*; --json lists all"));
   EXPECT_GT(parsed(run(compare + " --json"))["beyond_range"].size(), 6U);
 }
 
