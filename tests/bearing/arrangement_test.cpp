@@ -497,7 +497,7 @@ TEST(Arrangement, WrongDesignsAreNamed) {
   d = spindle();
   d.preload = PreloadOffset{10 * um};
   d.mounting = Mounting::spring;
-  EXPECT_THAT(message(d), HasSubstr("force, not an offset"));
+  EXPECT_THAT(message(d), HasSubstr("not possible with mounting = spring"));
   d = spindle();
   d.front[1].bearing = made(geometry(0.0));
   EXPECT_THAT(message(d), HasSubstr("front bearing 2: contact_angle = 0 deg: must be from 5"));

@@ -167,7 +167,7 @@ TEST_F(Correction, ABandEndsWithTheNumbersThatItIsOf) {
   const Result r = run("correct " + scratch_.write("edited.toml", text) + " " + corrections +
                        "exact/test.csv --json");
   EXPECT_THAT(r.err, HasSubstr("offset = "));
-  EXPECT_THAT(r.err, HasSubstr("no band"));
+  EXPECT_THAT(r.err, HasSubstr("no error band"));
   EXPECT_EQ(parsed(r)["band"], nullptr);
 }
 

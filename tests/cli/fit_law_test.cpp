@@ -64,7 +64,7 @@ TEST(FitLaw, ReadsAPipe) {
        {"cat " + file + " | $raceway fit-law", "$raceway fit-law - < " + file}) {
     const Result r = run_shell(line);
     EXPECT_EQ(r.status, 0) << r.err;
-    EXPECT_THAT(r.out, HasSubstr("of standard input"));
+    EXPECT_THAT(r.out, HasSubstr("fitted to standard input"));
   }
 }
 

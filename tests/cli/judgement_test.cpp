@@ -183,7 +183,7 @@ TEST_F(Judged, OneMountedPreloadIsSaidByAll) {
   EXPECT_GT(mounted, 1.2 * free);
   const std::string said = fmt::format("{:.4g} N", mounted);
   EXPECT_THAT(command("spindle", text, "--speed 3000 --steady").out,
-              HasSubstr(said + " as mounted"));
+              HasSubstr("preload as mounted " + said));
   EXPECT_THAT(command("deflection", text, "--force 100").out, HasSubstr(said + " as mounted"));
   EXPECT_THAT(command("displacement", text, "--speed 0").out, HasSubstr("preload " + said));
   const json lift = parsed(command("solve", text, "--speed 0 --json"))["arrangement"];

@@ -309,7 +309,7 @@ TEST(CorrectionFile, ACovarianceOfOtherNumbersIsLeftOutWithANote) {
   EXPECT_FALSE(edited.models[0].left);
   EXPECT_EQ(edited.models[0].range.size(), 1U);
   EXPECT_THAT(texts(edited.notes), testing::Contains(testing::AllOf(HasSubstr("time_constant_1 = "),
-                                                                    HasSubstr("no band"))));
+                                                                    HasSubstr("no error band"))));
 }
 
 /// Each of several displacements has tables of its own, before the next one.
