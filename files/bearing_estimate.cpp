@@ -112,7 +112,7 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
   if (std::isnan(o.bore) || std::isnan(o.outer_diameter))
     throw text::InputError(
         fmt::format("bearing \"{}\" is not in the catalogue; to estimate its inner geometry, give "
-                    "--bore and --outer-diameter, and --balls if you know it",
+                    "--bore and --outer-diameter, and --balls if you know the number of balls",
                     o.designation),
         {.key = "BEARING"});
   if (!(o.bore > 0 && o.outer_diameter > 1.1 * o.bore && o.outer_diameter < 5.0 * o.bore))
@@ -169,15 +169,16 @@ std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLa
                                  bool of_spindle, const std::string& oil) {
   const BearingOutline& o = b.outline;
   const CatalogueBearing row = row_of(b);
-  const auto of_rows = fmt::format(
-      "from {} catalogue bearings of {} section{}", b.rows, b.like_section ? "similar" : "another",
-      b.like_series ? "" : fmt::format(", none of series {}", o.dimension_series));
-  const auto of_rigidity = spread(b.conformity, 1.0, "from printed rigidities of pairs");
+  const auto of_rows =
+      fmt::format("from {} catalogue bearings of {} cross-section{}", b.rows,
+                  b.like_section ? "similar" : "any",
+                  b.like_series ? "" : fmt::format(", none of series {}", o.dimension_series));
+  const auto of_rigidity = spread(b.conformity, 1.0, "from catalogue rigidities of bearing pairs");
   ModelRemarks remarks{
       .title = fmt::format("Model of a {} on a rig. The catalogue does not contain this bearing: "
-                           "values marked as estimated\n# come from bearings of {} section. "
+                           "values marked as estimated\n# come from bearings of {} cross-section. "
                            "Replace them if you know the correct values.",
-                           o.designation, b.like_section ? "similar" : "another"),
+                           o.designation, b.like_section ? "similar" : "any"),
       .ball_material = o.ball_material,
       .of_key = {{"ball_diameter_mm", spread(b.ball_diameter, mm, of_rows)},
                  {"pitch_diameter_mm", "estimated: mean of bore and outer diameter"},

@@ -18,10 +18,10 @@ namespace {
 // Wherever the libraries check as well, these are their ranges.
 constexpr Key keys_of_bearing[]{
     {"catalogue", a_text, unset,
-     "designation of a bearing; if it is not in the catalogue, the program estimates the bearing. "
-     "With this key, all other keys of this table are optional; a key that you give replaces the "
-     "value of the catalogue"},
-    {"name", a_text, "designation, else name of the file", "name in the results"},
+     "designation of a bearing; if the catalogue does not contain it, the program estimates its "
+     "data. With this key, all other keys of this table are optional; a key that you give replaces "
+     "the value of the catalogue"},
+    {"name", a_text, "designation, or name of the model file", "name in the results"},
     {"ball_count", whole(3, 200), "value in the catalogue",
      "number of balls; they must fit on the pitch circle"},
     {"ball_diameter_mm", between(0.1, 300, "mm"), "value in the catalogue", "diameter of a ball"},

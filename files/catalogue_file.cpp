@@ -279,7 +279,7 @@ CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows, std::st
   constexpr std::size_t shown = 3, far = 4;
   std::string names;
   for (std::size_t i = 0; i < std::min(shown, near.size()) && near[i].distance < far; ++i)
-    names += (i == 0 ? "; the nearest are " : ", ") + near[i].row->full_name();
+    names += (i == 0 ? "; similar designations: " : ", ") + near[i].row->full_name();
   throw text::InputError(
       fmt::format("bearing {} is not in the catalogue{}", text::quoted(name), names),
       {.key = "catalogue"});

@@ -28,12 +28,12 @@ constexpr Key columns_keys[]{
      "order of day, month and year in dates with slashes, dashes or two-digit years. Required if "
      "the dates can be read in several orders that give different times between the rows"},
     {"settings_hold", one_of("from row|until row"), unset,
-     "rows between which the settings (speed, loads, feeds, coolant) of a record over time apply. "
-     "\"from row\": from their row to the next, as in a programme of events; the reading in the "
-     "row was taken just before the change. \"until row\": from the previous row to their row, as "
-     "in loggers that stamp the end of an interval. Default: \"until row\" for a spindle; for a "
-     "correction, settings apply from their row to the next, and the reading in the row was taken "
-     "with these settings"},
+     "time in which the settings (speed, loads, feeds, coolant) in a row of a record over time "
+     "apply. \"from row\": from this row to the next, as in a programme of events; the reading in "
+     "the row was taken just before the change. \"until row\": from the previous row to this row, "
+     "as in loggers that stamp the end of an interval. Default: \"until row\" for a spindle; for a "
+     "correction, settings apply from their row to the next row, and the reading in the row was "
+     "taken with these settings"},
 };
 constexpr Key rule_keys[]{
     {"column", a_text, is_required,

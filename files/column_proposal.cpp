@@ -175,8 +175,9 @@ std::string proposed_columns(const text::CsvTable& table,
                              const std::vector<ColumnProposal>& proposals,
                              const std::vector<std::string>& missing, const ColumnMap& given) {
   std::string text = fmt::format(
-      "# Columns of {}, proposed by their words and units: check each line.\n"
-      "# For --columns FILE, or for the model file.\n[columns]\n",
+      "# Columns of {}, proposed from their names and units: check each line.\n"
+      "# For --columns FILE, or for the model file.\n"
+      "[columns]\n",
       std::filesystem::path(table.source).filename().string());
   text += rules_text(given);
   for (const ColumnProposal& p : proposals)

@@ -341,8 +341,7 @@ std::string drop_rows(text::CsvTable& table, const std::function<bool(std::size_
   const std::size_t all = table.rows();
   if (count == all)
     throw text::InputError(
-        fmt::format("{}: none of the {} rows has a number in every column, so no row can be used",
-                    table.source, all),
+        fmt::format("{}: all {} rows {}, so no row can be used", table.source, all, have),
         {.file = table.source});
   table.remove_rows(remove);
   return fmt::format("{} of {} rows {} and are not used (line{} {}{})", count, all, have,

@@ -131,13 +131,15 @@ ContactData read_contact(ModelTables& tables, bool used, std::optional<friction:
     tables.note_default(
         "lubricant", "pressure_viscosity_1_GPa",
         fmt::format("{} nu^{}", usual.pressure_viscosity_s, usual.pressure_viscosity_t),
-        fmt::format("default for {} oil, nu in mm2/s", name(data.oil.type)));
+        fmt::format("default for {} oil in 1/GPa, with the kinematic viscosity nu in mm2/s",
+                    name(data.oil.type)));
   data.eyring_stress = number_or_default(oil, "eyring_stress_MPa") * MPa;
   oil.take("limiting_traction", data.limiting_traction);
   data.supply = friction::contact::inlet_of(supply);
   if (used && !supply)
-    tables.note_default("lubricant", "supply", "limited",
-                        "default: contact inlets as with oil-air, grease or jet");
+    tables.note_default(
+        "lubricant", "supply", "limited",
+        "default: little oil at the contact inlets, as with oil-air, grease or jet");
   law.take("inlet_over_b", data.inlet_over_b);
   data.asperities.B = law.value("asperity_factor");
   data.asperities.C = law.value("asperity_exponent");

@@ -38,8 +38,8 @@ constexpr Key correction_keys[]{
      "tolerance_urad ..."},
     {"name", a_text, "name of the column", "name in the results"},
     {"tolerance_um", between(0, 1e6, "um"), unset,
-     "acceptable RMS error on held-out parts, above 0; required by diagnose, here, under [loop] or "
-     "as --tolerance"},
+     "largest RMS error that you accept on held-out parts of a record, above 0; diagnose needs "
+     "this value here, under [loop] or as --tolerance"},
     {"measurement_std_um", between(0, 1e6, "um"), "estimated from neighbouring readings",
      "standard deviation of the noise of one reading"},
     {"initial_state", one_of("rest|free"), "rest",
@@ -84,13 +84,13 @@ constexpr Key correction_channel_keys[]{
      "for \"power_W\": CSV with speed_rpm, axial_load_N, temperature_C and friction_torque_Nmm, in "
      "the folder of the model"},
     {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
-     "for \"power_W\": axial load for the friction table, a number or a column"},
+     "for \"power_W\": axial load at which the friction table is read, a number or a column"},
     {"radial_load_N", between(0, 1e8, "N"),
      "value in the friction table, if the table has only one radial load",
-     "for \"power_W\": radial load for the friction table, a number or a column"},
+     "for \"power_W\": radial load at which the friction table is read, a number or a column"},
     {"temperature_C", between(-273, 500, "C"),
      "value in the friction table, if the table has only one temperature",
-     "for \"power_W\": temperature for the friction table, a number or a column"},
+     "for \"power_W\": temperature at which the friction table is read, a number or a column"},
     {"gain", a_table, unset,
      "gain as a function of the input, instead of sections; for \"power_W\" or a column that is "
      "not a temperature, such as a load: { slope_um_W, offset_um }, { factor, exponent } or { "
@@ -103,7 +103,8 @@ constexpr Key correction_channel_keys[]{
     {"denominator", a_list, unset, "denominator polynomial in z^-1, instead of sections"},
 };
 constexpr Key window_keys[]{
-    {"column", a_text, is_required, "column of the position, NAME_position_mm, or another column"},
+    {"column", a_text, is_required,
+     "column of the axis position, such as x_position_mm; another input column is also possible"},
     {"points", a_list, is_required,
      "[from, full_from, full_to, to] in the unit of the column: the share is 0 outside from and "
      "to, 1 between full_from and full_to, and linear between. [from, to] has sharp edges; -inf or "
@@ -151,10 +152,14 @@ constexpr Key element_time_keys[]{
 
 constexpr Key kinematic_keys[]{
     {"A", between(-most, most, "um"), is_required,
-     "coefficient A in u = A n^(1 - B exp(-C n)), n in rpm"},
-    {"B", between(-1, 2), is_required, "coefficient B in u = A n^(1 - B exp(-C n)), n in rpm"},
+     "coefficient A of the kinematic displacement u = A n^(1 - B exp(-C n)), with u in um and the "
+     "speed n in rpm"},
+    {"B", between(-1, 2), is_required,
+     "coefficient B of the kinematic displacement u = A n^(1 - B exp(-C n)), with u in um and the "
+     "speed n in rpm"},
     {"C", between(0, 1, "1/rpm"), is_required,
-     "coefficient C in u = A n^(1 - B exp(-C n)), n in rpm"},
+     "coefficient C of the kinematic displacement u = A n^(1 - B exp(-C n)), with u in um and the "
+     "speed n in rpm"},
 };
 
 constexpr Key correction_effect_keys[]{
@@ -164,7 +169,9 @@ constexpr Key correction_effect_keys[]{
      "with a formula"},
     {"input", a_text, unset, "column, or list of columns, that drives the effect"},
     {"channel", a_text, unset, "name of the channel that the effect changes"},
-    {"axis", a_text, unset, "axis on which the effect acts"},
+    {"axis", a_text, unset,
+     "machine axis whose movement causes the effect, such as x; part of the names of its "
+     "parameters"},
     {"window", a_table, unset,
      "only for id = \"input\": { column, points, acts_on } of a position, as in a channel; the "
      "effect acts on the input of its channel inside this window"},
@@ -189,9 +196,9 @@ using record::Channel;
 Section part_of(const Section& owner, const std::string& name, const toml::node& node,
                 Keys keys = {}) {
   if (!node.is_table())
-    throw text::InputError(fmt::format("{}: {} = {}: must be a table in braces", owner.place(&node),
-                                       name, text::shown(node)),
-                           owner.at(name, &node));
+    throw text::InputError(
+        fmt::format("{}: {} = {}: must be a table", owner.place(&node), name, text::shown(node)),
+        owner.at(name, &node));
   return Section(owner.source(), name, node.as_table(), std::move(keys));
 }
 
@@ -513,12 +520,12 @@ class CorrectionReader {
         characteristic(s, c.input, "time_constant", element_time_keys, minute),
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
-        fmt::format("channel {}: at {} of 0, the gain is 0, and the time constant is the value of "
-                    "the law at this {}{}",
+        fmt::format("channel {}: at {} of 0, the program uses a gain of 0, whatever the key gain "
+                    "gives, and the time constant that the key time_constant gives for this {}{}",
                     c.name, c.input.is_power() ? "a power" : "an input",
                     c.input.is_power() ? "power" : "input",
                     c.input.is_power()
-                        ? ": the publication of this law gives no value for standstill"
+                        ? ". The publication of this law gives no value for standstill"
                         : ""),
         {.key = c.name}));
   }
@@ -720,9 +727,10 @@ Names read_free(const ModelTables& tables, const Model& model) {
   const toml::node* const node = s.find("free");
   Names free;
   if (!node) return free;
-  if (!node->is_array()) s.fail("free", "free: must be a list of names or groups");
+  if (!node->is_array())
+    s.fail("free", "free: must be a list of parameters or groups of parameters");
   for (const toml::node& one : *node->as_array()) {
-    if (!one.is_string()) s.fail("free", "free: must be names in quotes");
+    if (!one.is_string()) s.fail("free", "free: each name in the list must be in quotes");
     const std::string name = *one.value<std::string>();
     // Beside a [bearing] the list is of both, and f0 is for the other commands.
     if (tables.root().contains("bearing") && name.find('.') == name.npos &&

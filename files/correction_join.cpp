@@ -123,7 +123,8 @@ void require_alike(std::span<const CorrectionFile> files) {
                            {.key = "MODEL"});
   for (const CorrectionFile& file : files) {
     if (file.models.size() != 1)
-      refuse(file, "has several displacements; each file may have only one");
+      refuse(file,
+             "the file has several tables [[correction]]; each file to join may have only one");
     const Model& first = files.front().models.front();
     const Model& m = file.models.front();
     if (!(*m.displacement == *first.displacement))

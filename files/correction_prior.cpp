@@ -19,8 +19,8 @@ constexpr Key prior_keys[]{
      "expected value of PARAMETER before the next fit, in its unit; written by step-response and "
      "join"},
     {"std", between(0, 1e12), is_required,
-     "standard uncertainty of the value, above 0; a fit weights the value and the readings "
-     "accordingly"},
+     "standard uncertainty of the value, above 0; the smaller it is, the closer the next fit keeps "
+     "the parameter to the value"},
 };
 
 }  // namespace
@@ -43,7 +43,8 @@ void read_priors(const Section& correction, correction::Model& model) {
       all.fail(name, fmt::format("{}: unknown parameter; nearest: {}", name,
                                  record::nearest_names(name, known, 3)));
     if (!prior.is_table())
-      all.fail(name, fmt::format("{} = {}: must be {{ value, std }}", name, text::shown(prior)));
+      all.fail(name, fmt::format("{} = {}: must be {{ value = ..., std = ... }}", name,
+                                 text::shown(prior)));
     const Section one(correction.source(), fmt::format("correction.prior.\"{}\"", name),
                       prior.as_table(), {prior_keys});
     const record::Prior read{.value = one.required("value"), .std = one.required("std")};

@@ -19,24 +19,25 @@ namespace {
 
 constexpr Key correction_together_keys[]{
     {"columns", a_list, is_required,
-     "inputs that varied in the record; written by identify, calibrate and add"},
+     "inputs that varied in the record of the fit; identify, calibrate and add write this table"},
     {"mean", a_list, is_required, "mean of each input"},
     {"std", a_list, is_required, "standard deviation of each input"},
     {"correlation", a_list, is_required, "correlation of the inputs: lower triangle, row by row"},
     {"farthest", between(0, 1e9), is_required,
-     "largest distance of a row from the mean, in standard deviations"},
+     "largest Mahalanobis distance of a row of the training data from the mean of the inputs"},
 };
 constexpr Key correction_residual_keys[]{
-    {"rms_um", between(0, 1e9, "um"), is_required, "RMS residual on held-out parts of the record"},
+    {"rms_um", between(0, 1e9, "um"), is_required,
+     "RMS residual on held-out parts of the record, or on all readings if no part was held out"},
     {"correlation_time_s", between(0, 1e12, "s"), unset, "correlation time of the residual"},
 };
 
 constexpr Key correction_trust_keys[]{
     {"error_um", between(0, 1e9, "um"), unset,
-     "RMS error on held-out readings; missing if there were none. Written by identify, calibrate "
-     "and add; export uses this table to rate the trust in the correction"},
+     "RMS error on held-out readings; missing if no readings were held out. Written by identify, "
+     "calibrate and add; export uses this table to rate the trust in the correction"},
     {"uncorrected_um", between(0, 1e9, "um"), is_required,
-     "RMS of the readings after a constant is subtracted"},
+     "RMS of the uncorrected displacement after a constant is subtracted"},
     {"duration_s", between(0, 1e12, "s"), is_required,
      "duration of the readings in the longest run"},
     {"course", one_of("returns|one-way"), is_required,
@@ -175,8 +176,8 @@ std::string still_text(const Model& m) {
     if (std::isfinite(r.still))
       text += fmt::format("{} = {}\n", r.name, text::toml_float(record::with_digits(r.still, 6)));
   if (text.empty()) return text;
-  return "[correction.still_s]  # longest time without a change of each temperature in this "
-         "record\n" +
+  return "[correction.still_s]  # longest time without a change of each temperature in the "
+         "training data\n" +
          text;
 }
 
@@ -214,9 +215,10 @@ std::string together_text(const correction::SeenTogether& seen) {
   }
   constexpr int digits = 8;
   return fmt::format(
-             "[correction.together]  # statistics of all inputs together in this record\ncolumns = "
-             "{}\n"
-             "mean = {}\nstd = {}\n",
+             "[correction.together]  # statistics of all inputs together in the training data\n"
+             "columns = {}\n"
+             "mean = {}\n"
+             "std = {}\n",
              list_of(names), list_of(mean, digits), list_of(std, digits)) +
          triangle(seen.correlation.rows(), digits,
                   [&](Eigen::Index k, Eigen::Index j) { return seen.correlation(k, j); }) +
@@ -234,8 +236,12 @@ std::string covariance_text(const Model& m) {
       if (p.name == c.names[k]) units.push_back(p.unit);
   }
   std::string text = fmt::format(
-      "[correction.covariance]  # covariance of the fitted parameters, for the band of correct\n"
-      "parameters = {}\nunits = {}\nvalues = {}\nstd = {}\n",
+      "[correction.covariance]  # covariance of the fitted parameters, for the error band of "
+      "correct\n"
+      "parameters = {}\n"
+      "units = {}\n"
+      "values = {}\n"
+      "std = {}\n",
       list_of(c.names), list_of(units), list_of(c.values, 15), list_of(std, 6));
   text += triangle(c.values.size(), 15, [&](Eigen::Index k, Eigen::Index j) {
     return c.correlation(static_cast<std::size_t>(k), static_cast<std::size_t>(j));
@@ -246,7 +252,8 @@ std::string covariance_text(const Model& m) {
 std::string left_text(const Model& m) {
   const correction::Left& left = *m.left;
   std::string text = fmt::format(
-      "[correction.residual]  # residual of the model on held-out parts\n{} = {}\n",
+      "[correction.residual]  # residual of the model, on held-out parts if there are any\n"
+      "{} = {}\n",
       correction::in_unit_of(m, "rms_um"), text::toml_float(record::with_digits(left.rms / um, 6)));
   if (std::isfinite(left.correlation_time))
     text += fmt::format("correlation_time_s = {}\n",

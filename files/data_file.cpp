@@ -312,11 +312,11 @@ class Reader {
       assumed.inertia = rig::matching_inertia(*make_subject(subject_.model(), unit), unit);
       Record result = of(assumed);
       result.notes.push_back(record::note::assumed(
-          fmt::format(
-              "inertia_kgm2 = \"unknown\": the program assumes {:.4g} kg m2, which gives the mean "
-              "torque of the unfitted model. Torques, f0, z and all values in N mm have an unknown "
-              "common factor; the record determines only the shape of the curve",
-              assumed.inertia),
+          fmt::format("inertia_kgm2 = \"unknown\": the program assumes {:.4g} kg m2, so that the "
+                      "mean measured torque equals the mean torque of the unfitted model. Torques, "
+                      "f0, z and all values in N mm have an unknown common factor; the record "
+                      "determines only the shape of the curve",
+                      assumed.inertia),
           {.key = "inertia_kgm2"}));
       result.up_to_a_factor = true;
       return result;

@@ -128,13 +128,15 @@ DisplacementCurve read_displacement_curve(const Source& source, const ReadOption
 std::string displacement_table_text(const shaft::DisplacementTable& table,
                                     std::string_view source) {
   std::string text = fmt::format(
-      "# Axial displacement of the shaft against speed, of {}\n"
+      "# Axial displacement of the shaft against speed, from {}\n"
       "# raceway {}\n"
-      "# between two rows: a cubic with these values and slopes at both ends (Hermite); {}\n"
-      "# do not use it below the first or above the last speed\n"
+      "# between two rows, the displacement is a cubic with the values and slopes of both rows "
+      "(Hermite); {}\n"
+      "# do not use the cubics below the first or above the last speed\n"
       "speed_rpm,axial_displacement_um,slope_um_rpm\n",
       text::printable(source), RACEWAY_VERSION,
-      table.monotone ? "monotone" : "between two rows, it only rises or only falls");
+      table.monotone ? "the whole curve only rises or only falls"
+                     : "between two rows, it only rises or only falls");
   for (std::size_t i = 0; i < table.speed.size(); ++i)
     text += fmt::format("{:.12g},{:.12g},{:.12g}\n", table.speed[i] / rpm,
                         table.displacement[i] / um, table.slope[i] / (um / rpm));

@@ -235,9 +235,9 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
     std::string text = fmt::format(
         "readings of {} are about {:.0f} times too {} for the model: {}?", channel.words,
         f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
-        small || f.factor < 100.0
-            ? std::string(f.words)
-            : std::string("is the unit wrong (") + (moment ? "N mm, N m" : "um, mm") + ")");
+        small || f.factor < 100.0 ? std::string(f.words)
+                                  : std::string("is the unit wrong, for example ") +
+                                        (moment ? "N mm read as N m" : "um read as mm"));
     std::vector<Doubt::Guess> units = f.units;
     // Too large are readings that were in our unit and were read in a larger one.
     if (!small && f.factor >= 100.0) units = {{&channel, moment ? "Nmm" : "um"}};
@@ -461,7 +461,9 @@ std::optional<std::string> swapped_columns(const model::ModelSubject& subject, c
       if (!impossible && !ratio.far() && other.unexplained() > 0.1 * ratio.unexplained()) continue;
       least = other.spread;
       left = other.unexplained();
-      best = fmt::format("columns {} and {} are probably swapped", a.name, b.name);
+      best = fmt::format(
+          "columns {} and {} are probably swapped; correct the header of the file or [columns]",
+          a.name, b.name);
     }
   // Another base law bends readings as far.
   if (best && !impossible && unexplained_by_other_bases(subject, data) <= left) return std::nullopt;
@@ -485,7 +487,7 @@ std::optional<std::string> unused_temperature(const model::ModelSubject& subject
     if (!(std::max(std::abs(lower - coolest), std::abs(upper - coolest)) > much)) continue;
     return fmt::format(
         "all rows use the viscosity at {0:.4g} C, from {1}, but {2} goes from {3:.4g} to {4:.4g} "
-        "C: if this is the temperature of the lubricant, name its column {5}",
+        "C: if {2} is the temperature of the lubricant, name its column {5}",
         record::temperature.in_unit(coolest), of_model->from, ring->name, ring->in_unit(lower),
         ring->in_unit(upper), record::temperature.name);
   }

@@ -16,7 +16,8 @@ constexpr Key effect_id_keys[]{{"id", a_text, is_required,
                                 "its parameters, or a new id with a formula"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,
-     "formula of your own effect: torque from columns and its parameters"},
+     "formula of your own effect: torque in N mm as a function of columns and of the parameters of "
+     "the effect"},
     {"title", a_text, unset, "title of your own effect in messages"},
 };
 
@@ -124,7 +125,8 @@ class EffectReader {
     }
     if (found && shaft_ && shaft_->arrangement.design().rear.empty())
       for (const effects::Need need : found->needs)
-        if (need == effects::Need::opposed_sets) fail(fmt::format("needs {}", effects::text(need)));
+        if (need == effects::Need::opposed_sets)
+          fail(fmt::format("the effect needs {}", effects::text(need)));
     for (const effects::Effect& before : effects_)
       if (before.description->id == id) fail("two tables have this effect; remove one");
     return found;

@@ -85,7 +85,8 @@ void refuse_effects_of_law(const ModelTables& tables, const model::Model& model)
         !why.empty()) {
       const Section s(tables.source(), "effect",
                       tables.root()["effect"].as_array()->get(k)->as_table());
-      s.fail("id", fmt::format("id = \"{}\": needs {}", model.effects[k].description->id, why));
+      s.fail("id", fmt::format("id = \"{}\": the effect needs {}", model.effects[k].description->id,
+                               why));
     }
 }
 

@@ -56,7 +56,7 @@ TEST_F(BadInput, MisspeltKeyTableAndNameAreAnsweredWithTheNearest) {
   expect_model_refused(model_text + "[[effect]]\nid = \"spin-frction\"\n",
                        ":20: id = \"spin-frction\": unknown effect; did you mean spin-friction?");
   expect_refused_with("name = \"7014\"", "catalogue = \"S 6041 C\"",
-                      ":2: bearing \"S 6041 C\" is not in the catalogue; the nearest are");
+                      ":2: bearing \"S 6041 C\" is not in the catalogue; similar designations: ");
   expect_model_refused(
       model_text + "[solver]\nrace_control = \"iner\"\n",
       ":20: race_control = \"iner\": must be outer, inner or balanced; did you mean inner?");

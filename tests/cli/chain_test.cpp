@@ -153,7 +153,7 @@ TEST(PriorTable, WhatIsWrongIsSaid) {
   EXPECT_THAT(said("\"spindle.scal\" = { value = 1.0, std = 0.2 }\n"),
               HasSubstr("spindle.scal: unknown parameter; nearest: spindle.scale"));
   EXPECT_THAT(said("\"spindle.scale\" = { value = 1.0, std = 0.0 }\n"), HasSubstr("std = 0"));
-  EXPECT_THAT(said("\"spindle.scale\" = 0.2\n"), HasSubstr("must be { value, std }"));
+  EXPECT_THAT(said("\"spindle.scale\" = 0.2\n"), HasSubstr("must be { value = ..., std = ... }"));
   EXPECT_THAT(said("\"spindle.scale\" = { value = 1.0 }\n"), HasSubstr("std"));
 }
 

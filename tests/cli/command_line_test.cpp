@@ -154,7 +154,7 @@ TEST(Bearings, AreFoundByPartOfTheirName) {
 TEST(Bearings, ThatDoNotExistAreWrongInput) {
   expect_refused(run("bearings 9999"), "no bearing has \"9999\" in its name");
   expect_refused(run("new \"S 6041 C\""),
-                 "bearing \"S 6041 C\" is not in the catalogue; the nearest");
+                 "bearing \"S 6041 C\" is not in the catalogue; similar designations: ");
 }
 
 TEST(New, WritesAModelThatEveryCommandTakes) {

@@ -44,7 +44,7 @@ TEST(Conformity, OfAModelWithACatalogueRowKeepsAllElse) {
 
 TEST(Conformity, SaysWhatIsMissing) {
   const ScratchFolder scratch;
-  expect_refused(run("calibrate \"S 9999 C\""), "is not in the catalogue; the nearest are");
+  expect_refused(run("calibrate \"S 9999 C\""), "is not in the catalogue; similar designations: ");
   const std::string own = scratch.write("own.toml", model_text);
   const Result r = run("calibrate " + own);
   EXPECT_EQ(r.status, 1);

@@ -221,10 +221,10 @@ TEST_F(ContactLaw, FlagsFactorsOfOtherLawsAndEffectsThatItHasItself) {
   EXPECT_THAT(
       error_of(model + "f0 = 1.5\n"),
       HasSubstr("f0 = 1.5: this key is only for law = \"palmgren\", but the law is \"contact\""));
-  EXPECT_THAT(
-      error_of(model + "\n[[effect]]\nid = \"spin-friction\"\n"),
-      HasSubstr("id = \"spin-friction\": needs another base law, because the contact law already "
-                "includes this effect as mu_boundary under [friction]"));
+  EXPECT_THAT(error_of(model + "\n[[effect]]\nid = \"spin-friction\"\n"),
+              HasSubstr("id = \"spin-friction\": the effect needs another base law, because the "
+                        "contact law already "
+                        "includes this effect as mu_boundary under [friction]"));
   EXPECT_THAT(error_of(model + "oil_fraction = 0.01\n\n[[effect]]\nid = \"lubricant-drag\"\n"),
               HasSubstr("needs oil_fraction = 0 under [friction]"));
   EXPECT_THAT(error_of(replaced(model, "[lubricant]", "[lubricant]\neyring_stress_MPa = 50")),

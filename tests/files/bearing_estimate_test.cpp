@@ -84,8 +84,8 @@ TEST(BearingEstimate, TheModelSaysWhichBearingsItIsMadeOf) {
     return estimated_model_text(estimated_bearing(outline_of(designation), rows));
   };
   EXPECT_THAT(text("7214 C"),
-              HasSubstr("catalogue bearings of similar section, none of series 02"));
-  EXPECT_THAT(text("71814 C"), HasSubstr("of another section, none of series 18"));
+              HasSubstr("catalogue bearings of similar cross-section, none of series 02"));
+  EXPECT_THAT(text("71814 C"), HasSubstr("of any cross-section, none of series 18"));
   EXPECT_THAT(text("7030 C"), testing::Not(HasSubstr("none of series")));
   const ModelFile file = parse_model(text("7214 AC"), "m.toml");
   EXPECT_DOUBLE_EQ(file.model.bearing.geometry().pitch_diameter, 97.5 * mm);
@@ -98,7 +98,7 @@ TEST(BearingEstimate, WhatIsNoRingIsRefused) {
   const auto rows = read_catalogues();
   EXPECT_THAT(tests::message_of([&] { (void)estimated_bearing({.designation = "x"}, rows); }),
               HasSubstr("\" is not in the catalogue; to estimate its inner geometry, give --bore "
-                        "and --outer-diameter, and --balls if you know it"));
+                        "and --outer-diameter, and --balls if you know the number of balls"));
   EXPECT_THAT(tests::message_of([&] {
                 (void)estimated_bearing(
                     {.designation = "x", .bore = 70 * mm, .outer_diameter = 60 * mm}, rows);

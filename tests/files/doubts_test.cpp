@@ -130,9 +130,11 @@ TEST(Doubts, ATemperatureThatTheViscosityDoesNotFollowIsNamed) {
 
 TEST(Doubts, SwappedColumnsAreNamed) {
   EXPECT_THAT(after([](Row& r) { std::swap(r.speed, r.torque); }),
-              ElementsAre("columns speed_rpm and friction_torque_Nmm are probably swapped"));
+              ElementsAre("columns speed_rpm and friction_torque_Nmm are probably swapped; correct "
+                          "the header of the file or [columns]"));
   EXPECT_THAT(after([](Row& r) { std::swap(r.load, r.speed); }),
-              ElementsAre("columns speed_rpm and axial_load_N are probably swapped"));
+              ElementsAre("columns speed_rpm and axial_load_N are probably swapped; correct the "
+                          "header of the file or [columns]"));
 }
 
 /// Displacements of a shaft as the model has them and 5 % more; preloads times `factor` in the

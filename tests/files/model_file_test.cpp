@@ -456,9 +456,8 @@ TEST(ModelFile, OtherKeysOverrideTheCatalogue) {
 TEST(ModelFile, UnknownCatalogueBearingsAreAnsweredWithTheNearest) {
   std::string text = from_catalogue;
   text.replace(text.find("6014"), 4, "6O14");
-  EXPECT_THAT(model_error(text),
-              StartsWith("m.toml:2: bearing \"GMN S 6O14 C\" is not in the catalogue; "
-                         "the nearest are GMN S 6014 C TA"));
+  EXPECT_THAT(model_error(text), StartsWith("m.toml:2: bearing \"GMN S 6O14 C\" is not in the "
+                                            "catalogue; similar designations: GMN S 6014 C TA"));
 }
 
 TEST(ModelFile, ANewModelReadsBackWithoutDefaultsExceptCommentedOnes) {
