@@ -164,9 +164,8 @@ constexpr Key kinematic_keys[]{
 
 constexpr Key correction_effect_keys[]{
     {"id", a_text, is_required,
-     "id of an effect on records over time (raceway effects), followed by its parameters, or a new "
-     "id "
-     "with a formula"},
+     "id of an effect on records over time (raceway effects lists them), or a new id for an effect "
+     "with a formula. The parameters of the effect are further keys of this table"},
     {"input", a_text, unset, "column, or list of columns, that drives the effect"},
     {"channel", a_text, unset, "name of the channel that the effect changes"},
     {"axis", a_text, unset,

@@ -11,9 +11,10 @@
 namespace raceway::files {
 namespace {
 
-constexpr Key effect_id_keys[]{{"id", a_text, is_required,
-                                "id of an effect in the catalogue (raceway effects), followed by "
-                                "its parameters, or a new id with a formula"}};
+constexpr Key effect_id_keys[]{
+    {"id", a_text, is_required,
+     "id of an effect in the catalogue (raceway effects lists them), or a new id for an effect "
+     "with a formula. The parameters of the effect are further keys of this table"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,
      "formula of your own effect: torque in N mm as a function of columns and of the parameters of "

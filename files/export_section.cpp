@@ -75,8 +75,8 @@ const Key control_keys[]{
      "offsets when the correction is disabled: zero (go to 0 at their slew rate) or freeze (keep "
      "their values)"},
     {"beyond_range", one_of("linear|hold"), usual_control.beyond_range,
-     "treatment of section inputs outside [correction.range]: linear (extrapolate) or hold (use "
-     "the value at the edge; parts of the correction without lag always use this value)"},
+     "treatment of inputs outside [correction.range] in sections: linear (extrapolate) or hold "
+     "(use the limit of the range); other parts of the correction always use the limit"},
 };
 
 class ExportReader {

@@ -22,11 +22,12 @@ const std::string words_of_supply =
                               friction::Supply::jet, friction::Supply::bath});
 const Key lubricant_keys[]{
     {"viscosity_40C_mm2_s", between(1, 1e5, "mm2/s"), is_required,
-     "kinematic viscosity of the oil (for a grease: of its base oil); raceway converts to other "
-     "temperatures by ASTM D341"},
+     "kinematic viscosity of the oil at 40 C (for a grease: of its base oil); raceway converts to "
+     "other temperatures by ASTM D341"},
     {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
      "kinematic viscosity at 100 C, below the viscosity at 40 C"},
-    {"supply", one_of(words_of_supply), "none: contact inlets as with oil-air, grease or jet",
+    {"supply", one_of(words_of_supply),
+     "none: the law contact assumes little oil at the contact inlets",
      "lubricant supply; excludes effects that need another supply. With bath, the law contact "
      "assumes flooded contact inlets"},
 };
@@ -65,10 +66,11 @@ const Key palmgren_keys[]{
               "factor of the load moment, depends on the bearing type; required without the key "
               "catalogue"),
     number_of(FrictionLaw::palmgren, "y",
-              "exponent of the load moment; required without the key catalogue"),
+              "exponent y in the factor f1 = z (F/C0)^y of the load moment; required without the "
+              "key catalogue"),
     {"f1_load", one_of(words_of_load), "P0",
      "load F in the factor f1 = z (F/C0)^y of the load moment f1 F_b d_m: P0 (static equivalent "
-     "load), or F_b"},
+     "load), or F_b (the load in the load moment, calculated from axial and radial load)"},
 };
 const Key powers_keys[]{
     number_of(FrictionLaw::powers, "viscous_exponent",
@@ -77,7 +79,8 @@ const Key powers_keys[]{
               "exponent of the load in the viscous moment"),
 };
 constexpr std::string_view replenishment =
-    "replenishment constant; bath or jet: 3e-8, grease or oil-air: 6e-8, 0: off";
+    "replenishment constant; bath or jet: 3e-8, grease or oil-air: 6e-8, 0: no starvation of the "
+    "film";
 const Key skf_keys[]{
     number_of(FrictionLaw::skf, "mu_bl", "friction coefficient of boundary lubrication"),
     number_of(FrictionLaw::skf, "mu_EHL", "friction coefficient of a full film"),
@@ -109,7 +112,7 @@ const Key roller_load_keys[]{
 };
 const Key roller_f0 = [] {
   Key key = number_of(FrictionLaw::roller_palmgren, "f0", "factor of the viscous moment");
-  key.fallback = "grease 0.8, oil-air 1.5, bath 3, jet 6, no supply 1.5";
+  key.fallback = "grease 0.8, oil-air 1.5, bath 3, jet 6; 1.5 without the key supply";
   return key;
 }();
 const Key roller_palmgren_keys[]{

@@ -37,9 +37,10 @@ std::vector<double> values_of(const text::CsvTable& table, const Channel& channe
   if (!found) {
     if (!required) return {};
     throw text::InputError(
-        fmt::format("{}:{}: column {} is missing; a friction table has speed_rpm, "
-                    "axial_load_N, temperature_C and friction_torque_Nmm; the header has {}",
-                    table.source, table.header_line, channel.name, text::listed(table.header)),
+        fmt::format(
+            "{}:{}: column {} is missing; a friction table needs speed_rpm and friction_torque_Nmm "
+            "and can have axial_load_N, radial_load_N and temperature_C; the header has {}",
+            table.source, table.header_line, channel.name, text::listed(table.header)),
         {table.source, table.header_line, std::string(channel.name)});
   }
   std::vector<double> list;

@@ -19,8 +19,8 @@ namespace {
 constexpr Key calibration_keys[]{
     {"free", a_list, "usual free parameters of the law",
      "parameters to fit: parameters of the law, preload_N, inner_conformity, outer_conformity, "
-     "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; for a correction: its parameters or groups "
-     "of parameters"},
+     "conformity, contact_angle_deg, or \"EFFECT.PARAMETER\" for a parameter of an effect; for a "
+     "correction: its parameters or groups of parameters"},
     {"covariance", a_table, unset, "the table [calibration.covariance]"},
 };
 constexpr Key loop_keys[]{

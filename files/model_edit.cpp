@@ -231,7 +231,7 @@ std::vector<KeyValue> changed_data(const model::Model& file, const model::Model&
                   [](const effects::Effect& e) { return e.description->uses_room; });
   if (needs_room && std::isnan(file.rig.room_temperature))
     add("rig.room_temperature_C", unset, celsius(fitted.rig.room_temperature),
-        "from the coldest row");
+        "temperature of the coldest row of the record");
   return changes;
 }
 

@@ -117,8 +117,8 @@ std::vector<std::string> notes_on_effects(const model::Model& model) {
   std::vector<std::string> notes;
   for (const effects::Effect& e : model.effects)
     if (const std::string why = model::ruled_out(*e.description, model); !why.empty())
-      notes.push_back(
-          fmt::format("effect {}: {}; the model uses it nevertheless", e.description->id, why));
+      notes.push_back(fmt::format("effect {}: {}; the model uses the effect nevertheless",
+                                  e.description->id, why));
   return notes;
 }
 
@@ -212,9 +212,10 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
     for (const effects::Effect& e : model.effects)
       if (e.description->uses_room)
         throw text::InputError(
-            fmt::format("{}: the effect {} needs room_temperature_C under [rig], because the "
-                        "sensor measures only a share of the rise above this temperature",
-                        source, e.description->id),
+            fmt::format(
+                "{}: the effect {} needs room_temperature_C under [rig], because the temperature "
+                "sensor measures only a share of the rise above this temperature",
+                source, e.description->id),
             {.file = source, .key = "room_temperature_C"});
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);

@@ -42,9 +42,9 @@ std::string friction_lines(friction::FrictionLaw law) {
       add("law", "\"palmgren\"",
           "or \"skf\", \"contact\"; raceway new --law writes a model with such a law");
       add("f0", fmt::format("{}", catalogue_f0),
-          "viscous torque, about 1 (oil-air, little grease) to 6 (oil jet)");
-      add("z", fmt::format("{}", catalogue_z), "load torque");
-      add("y", fmt::format("{}", catalogue_y), "exponent of the load torque");
+          "factor of the viscous torque, about 1 (oil-air, little grease) to 6 (oil jet)");
+      add("z", fmt::format("{}", catalogue_z), "factor of the load torque");
+      add("y", fmt::format("{}", catalogue_y), "exponent of P0/C0 in the load torque");
       add("f1_load", "\"P0\"", "load in the factor z (P0/C0)^y of the load torque; or \"F_b\"");
       break;
     case friction::FrictionLaw::skf:
@@ -60,15 +60,15 @@ std::string friction_lines(friction::FrictionLaw law) {
           "parameters.\n# raceway add MODEL law:palmgren --data RIG.csv -o NEW.toml changes to "
           "this law and fits it.\n";
       add("law", "\"contact\"",
-          "sums over the balls; or \"palmgren\", \"skf\"; raceway new --law writes a model with "
-          "such a law");
+          "sum of the friction of all balls; or \"palmgren\", \"skf\"; raceway new --law writes a "
+          "model with such a law");
       add("rolling_factor", initial("rolling_factor"),
           "factor on the rolling resistance of the oil, most of the torque at speed; known to +-40 "
           "%");
       add("hysteresis_factor", initial("hysteresis_factor"),
           "factor on the hysteresis loss of the steel");
       add("mu_boundary", initial("mu_boundary"),
-          "friction coefficient of the asperity contacts: below lambda 2, at low speed");
+          "friction coefficient of the asperity contacts, which carry load at film ratios below 2");
       add("K_rs", initial("K_rs"),
           "replenishment of the oil: 3e-8 bath or jet, 6e-8 grease or oil-air; 0 is off");
       add("oil_fraction", initial("oil_fraction"),
@@ -103,19 +103,19 @@ std::string rig_lines(friction::FrictionLaw law) {
   const model::Rig rig;
   return fmt::format(R"(
 [rig]
-bearings = {}                       # equal bearings whose torque the rig sees
-# axial_load_N = 0                 # per bearing, for measured rows without that column
+bearings = {}                       # equal bearings; the reading is the sum of their torques
+# axial_load_N = 0                 # of one bearing, for records without this column
 radial_load_N = {:.10g}
 temperature_C = {:.10g}
 minimum_speed_rpm = {:.10g}              # slower rows of a coast-down are left out
-# inertia_kgm2 = 0.5               # of all that turns; coast-down records need it, or "unknown"
+# inertia_kgm2 = 0.5               # of all rotating parts, or "unknown"; required for coast-down records
 
 [solver]
 race_control = "outer"             # or "inner"; of the contact law "balanced"
 tilt = "locked"                    # or "free"
 
 [calibration]
-{:<34} # what may be re-fitted to measurements
+{:<34} # parameters that a fit changes
 
 # [material.my-ball]
 # elastic_modulus_GPa = 208
@@ -151,7 +151,7 @@ std::string spindle_lines(const CatalogueBearing& row) {
   add("mounting", "\"rigid\"", "or \"spring\"; assumed");
   add("preload_N", number(preload), "assumed: at standstill as mounted, 0.7 % of C0");
   add("front_position_mm", fmt::format("[{:.6g}, {:.6g}]", first, first + 1.5 * width),
-      "assumed: distances of the centres behind the nose face");
+      "assumed: distances of the bearing centres behind the nose face");
   add("rear_position_mm", fmt::format("[{:.6g}]", rear), "assumed");
   text += fmt::format(
       R"(
@@ -166,10 +166,10 @@ segment = [
 ]
 
 [housing]                          # assumed; bored to the outer diameter of the bearings
-start_mm = {:.6g}                      # its front face, behind the nose face
+start_mm = {:.6g}                      # distance of its front face behind the nose face
 length_mm = {:.6g}
 outer_diameter_mm = {:.6g}
-flange_mm = {:.6g}                    # centre of where it is bolted to the machine
+flange_mm = {:.6g}                    # middle of the flange to the machine
 
 [ambient]
 )",
@@ -204,10 +204,12 @@ std::string contact_lubricant_lines(friction::FrictionLaw law) {
                   "or \"pao\", \"ester\"; sets the defaults of the next four keys") +
          "# density_15C_kg_m3 = 880          # mineral; pao 830, ester 930\n"
          "# conductivity_W_mK = 0.13         # mineral; pao and ester 0.15\n"
-         "# pressure_viscosity_1_GPa = 15    # mineral: 9.904 nu^0.139, nu in mm2/s\n"
+         "# pressure_viscosity_1_GPa = 15    # mineral: 9.904 nu^0.139, kinematic viscosity nu in "
+         "mm2/s\n"
          "# limiting_traction = 0.06         # mineral; pao 0.045, ester 0.04; has an effect above "
-         "1.2 GPa\n" +
-         key_line({}, "eyring_stress_MPa", "5", "shear stress above which a film thins");
+         "a contact pressure of 1.2 GPa\n" +
+         key_line({}, "eyring_stress_MPa", "5",
+                  "shear stress above which the oil shows shear thinning");
 }
 
 }  // namespace

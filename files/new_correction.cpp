@@ -116,8 +116,8 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
     if (c.channel->role == record::Role::measured) models.push_back(model_of(record, c, inputs));
   if (models.empty())
     throw text::InputError(
-        fmt::format("{}: no column is a displacement: name it in a file for --columns, such as "
-                    "displacement_z_um = \"HEADER\"; the header has {}",
+        fmt::format("{}: no column is a displacement; name the column of the displacement in a "
+                    "file for --columns, such as displacement_z_um = \"HEADER\"; the header has {}",
                     source.name, text::listed(read_measurements(source, options).header)),
         {.file = source.name});
 
@@ -138,10 +138,11 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
       new_corrections(models, comment),
       {{"tolerance_um", "assumed: 10 % of the range of the readings; enter your tolerance"},
        {"tolerance_urad", "assumed: 10 % of the range of the readings; enter your tolerance"},
-       {"offset_um", "assumed; identify finds it"},
-       {"offset_urad", "assumed; identify finds it"},
+       {"offset_um", "assumed; identify finds this constant"},
+       {"offset_urad", "assumed; identify finds this constant"},
        {"sections",
-        "assumed: gain from the range of the readings, time constant of 10 % of the record"}});
+        "assumed: gain from the range of the readings, time constant of 10 % of the duration of "
+        "the record"}});
   if (!columns.all_ours) made.text += "\n" + columns.text;
   if (!combined.empty()) made.text += "\n" + combined;
   (void)parse_correction(made.text, "new correction");  // it reads back

@@ -48,8 +48,8 @@ const toml::node& required_node(const Section& s, std::string_view key) {
 }
 
 void fail_count(const Section& s, std::string_view key, const toml::node& node, std::size_t count) {
-  throw text::InputError(fmt::format("{}: {} = {}: must be a list of {}", s.place(&node), key,
-                                     text::shown(node), count),
+  throw text::InputError(fmt::format("{}: {} = {}: must be a list of length {}", s.place(&node),
+                                     key, text::shown(node), count),
                          s.at(key, &node));
 }
 

@@ -132,9 +132,10 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
           ? fmt::format("estimated from the printed C0 = {:.0f} N", bearing.static_rating)
           : "estimated");
   add("roller_diameter_mm", length(g.roller_diameter),
-      bearing.printed() ? fmt::format("estimated: printed E = {} mm minus pitch diameter",
-                                      length(bearing.outer_raceway))
-                        : fmt::format("estimated, {} of the section", section_share));
+      bearing.printed()
+          ? fmt::format("estimated: printed outer raceway diameter {} mm minus pitch diameter",
+                        length(bearing.outer_raceway))
+          : fmt::format("estimated: {} times (outer diameter - bore) / 2", section_share));
   add("roller_length_mm", length(g.roller_length),
       "estimated: equal to the roller diameter; without chamfers");
   add("pitch_diameter_mm", length(g.pitch_diameter), "estimated: mean of bore and outer diameter");

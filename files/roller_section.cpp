@@ -59,7 +59,8 @@ constexpr Key keys_of_rollers[]{
     {"ring_material", one_of("steel|silicon-nitride"), "steel",
      "material: a built-in name, or the NAME of a table [material.NAME]"},
     {"static_load_rating_N", between(1, 1e9, "N"),
-     "44 (1 - D/d_m) Z L D (roller diameter D, pitch diameter d_m, Z rollers of length L)", "C0"},
+     "44 (1 - D/d_m) Z L D (roller diameter D, pitch diameter d_m, Z rollers of length L)",
+     "static load rating C0"},
 };
 /// Those of the geometry, without name and rating.
 constexpr std::span<const Key> keys_of_geometry =

@@ -19,7 +19,8 @@ constexpr Key torque_sensor_keys[]{
     {"std", a_list, is_required, "standard errors of the coefficients"},
     {"correlation", a_list, is_required,
      "correlation of the coefficients: lower triangle, row by row"},
-    {"residual_std_V", between(0, 1e6, "V"), is_required, "standard deviation of one reading"},
+    {"residual_std_V", between(0, 1e6, "V"), is_required,
+     "standard deviation of the signal of one reading about the curve"},
     {"torque_from_Nm", between(-1e9, 1e9, "Nm"), is_required,
      "lowest torque of the calibration; below it, the curve continues along its tangent"},
     {"torque_to_Nm", between(-1e9, 1e9, "Nm"), is_required,
@@ -124,13 +125,14 @@ rig::TorqueSensor read_file(const Section& by, const std::string& name, NamedFil
       path);
   const Section s = tables.section("torque_sensor");
   if (!s.given())
-    throw text::InputError(
-        path + ": has no table [torque_sensor]; raceway calibrate-sensor CSV -o FILE writes one",
-        {.file = path, .key = "torque_sensor"});
+    throw text::InputError(path +
+                               ": the file has no table [torque_sensor]; raceway calibrate-sensor "
+                               "CSV -o FILE writes this table",
+                           {.file = path, .key = "torque_sensor"});
   if (s.find("file"))
     s.fail("file",
-           "file: a model names this file, so the file cannot name another file; write the "
-           "calibration here");
+           "file: a model names this file, so this file cannot name another file; write the "
+           "calibration in this file");
   rig::TorqueSensor sensor = read_calibration(s);
   sensor.source = path;
   return sensor;

@@ -316,12 +316,12 @@ void look_at_displacements(const Record& data, std::vector<Doubt>& found) {
       if (!likely || apart(unit) < apart(*likely)) likely = &unit;
     }
     if (!likely) continue;
-    found.push_back({.text = fmt::format("{} {} by {:.3g} {} for each kelvin of the warmest "
-                                         "sensor: are the values in {} ({:.3g} {}/K)?",
-                                         c.channel->name, is_angle ? "turns" : "moves", rate / um,
-                                         c.channel->unit, likely->words, rate_in(*likely) / um,
-                                         c.channel->unit),
-                     .units = {{c.channel, likely->suffix}}});
+    found.push_back(
+        {.text = fmt::format("{} changes by {:.3g} {} for each kelvin of the temperature that "
+                             "changes most: are the values in {} ({:.3g} {}/K)?",
+                             c.channel->name, rate / um, c.channel->unit, likely->words,
+                             rate_in(*likely) / um, c.channel->unit),
+         .units = {{c.channel, likely->suffix}}});
   }
 }
 

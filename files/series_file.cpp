@@ -206,7 +206,7 @@ class SeriesReader {
     append(list, notes_of(record::note::filled_in, constants_));
     append(list, notes_of(record::note::unused, unknown_));
     if (!unused_.empty())
-      list.push_back(record::note::unused("not used, because the model does not predict it: " +
+      list.push_back(record::note::unused("not used, because not predicted by the model: " +
                                           text::listed(unused_)));
     return list;
   }
@@ -244,10 +244,10 @@ void note_gaps(Record& result) {
   if (count > 0)
     result.notes.push_back(record::note::filled_in(
         fmt::format("{} gap{} in time, the first before {}, the longest {:.4g} s (usual interval "
-                    "{:.4g} s): {}",
+                    "{:.4g} s). In a gap, {}",
                     count, count == 1 ? "" : "s", result.place(first), longest, usual,
                     result.settings_hold == record::SettingsHold::until_row
-                        ? "the settings of the next row apply"
+                        ? "the settings of the row after the gap apply"
                         : "temperatures are interpolated, and settings keep their value") +
             (longest > an_hour
                  ? ". If the machine ran during the gap, give the rows after it another run_id; a "
@@ -607,10 +607,10 @@ SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
           const auto& absent = f->found().not_here;
           return std::find(absent.begin(), absent.end(), rule) == absent.end();
         }))
-      throw text::InputError(
-          fmt::format("{}: none of these files has the column \"{}\", which {} uses for {}",
-                      source.name, rule->header, rule->place.text(), rule->key),
-          rule->place);
+      throw text::InputError(fmt::format("{}: neither this file nor the files joined with it have "
+                                         "the column \"{}\", which {} uses for {}",
+                                         source.name, rule->header, rule->place.text(), rule->key),
+                             rule->place);
   return files;
 }
 

@@ -42,8 +42,8 @@ const ArrangementDesign usual_design;
 // Wherever the libraries check as well, these are their ranges.
 const Key arrangement_keys[]{
     {"layout", one_of(words_of_layout), is_required,
-     "arrangement of the sets on the shaft: a letter, or a trade name, which also gives the number "
-     "of bearings"},
+     "arrangement of the sets on the shaft: O, X, tandem, or a trade name, which also gives the "
+     "number of bearings in each set"},
     {"front", whole(1, 20), "from the layout",
      "number of bearings in the set at the tool; required unless the layout gives it"},
     {"rear", whole(0, 20), "from the layout",
@@ -66,7 +66,7 @@ const Key arrangement_keys[]{
     {"housing_stiffness_N_um", between(0.001, 1e9, "N/um"), "rigid",
      "axial stiffness of the housing between the sets"},
     {"distance_mm", between(0, 1e5, "mm"), 0.0,
-     "distance between the sets, for the thermal expansion"},
+     "distance between the middles of the sets, for the thermal expansion"},
     {"shaft_expansion_1e6_K", between(0, 50, "1e-6/K"),
      usual_design.shaft_expansion / per_million_K,
      "linear thermal expansion of the shaft; for a spindle, the default comes from the material of "
@@ -78,7 +78,8 @@ const Key arrangement_keys[]{
     {"mounting_temperature_C", between(-200, 500, "C"), celsius(usual_design.mounting_temperature),
      "temperature at which the preload was set"},
     {"inner_ring_temperature_C", between(-200, 500, "C"), "mounting temperature",
-     "temperature of the inner rings; if no temperature is given, no part expands"},
+     "temperature of the inner rings; if no temperature of rings, balls, shaft or housing is "
+     "given, no part expands"},
     {"outer_ring_temperature_C", between(-200, 500, "C"), "mounting temperature",
      "temperature of the outer rings"},
     {"ball_temperature_C", between(-200, 500, "C"), "mean of inner and outer ring temperature",
@@ -87,10 +88,10 @@ const Key arrangement_keys[]{
      "temperature of the shaft"},
     {"housing_temperature_C", between(-200, 500, "C"), "outer ring temperature",
      "temperature of the housing"},
-    {"front_bearing", a_table, "keys of [bearing]",
+    {"front_bearing", a_table, "values of [bearing]",
      "table [arrangement.front_bearing]: keys of [bearing] with other values for the set at the "
      "tool; [[arrangement.front_bearing]] is one table for each bearing"},
-    {"rear_bearing", a_table, "keys of [bearing]",
+    {"rear_bearing", a_table, "values of [bearing]",
      "table [arrangement.rear_bearing]: keys of [bearing] with other values for the rear set"},
 };
 constexpr Key positions_keys[]{
@@ -267,7 +268,8 @@ class ShaftReader {
     const double apart = middle(rear_position, d_.rear.size()) - at_front;
     if (!(apart > 0.0))
       s_.fail(rear_position,
-              fmt::format("{} = {}: must be further from the nose than the bearings in {}",
+              fmt::format("{} = {}: the middle of the rear set must be further from the nose than "
+                          "the middle of {}",
                           rear_position, text::shown(*s_.find(rear_position)), front_position));
     constexpr double rounding_mm = 1e-6;
     if (const auto given = s_.number("distance_mm");
@@ -333,7 +335,8 @@ class ShaftReader {
     const PairPreload& pair = word == "light"    ? b.row->light
                               : word == "medium" ? b.row->medium
                                                  : b.row->strong;
-    if (std::isnan(pair.force)) fail("the catalogue has no preload class for " + b.name);
+    if (std::isnan(pair.force))
+      fail("the catalogue has no preload of this class for " + b.name + "; give preload_N");
     return pair.force;
   }
 

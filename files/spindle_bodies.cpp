@@ -24,7 +24,8 @@ constexpr std::array solid_numbers{
     SolidNumber{
         {"conductivity_W_mK", between(0.05, 2000, "W/(m K)"), unset, "thermal conductivity"},
         &SolidMaterial::conductivity},
-    SolidNumber{{"thermal_expansion_1e6_K", between(0, 50, "1e-6/K"), unset, "linear"},
+    SolidNumber{{"thermal_expansion_1e6_K", between(0, 50, "1e-6/K"), unset,
+                 "linear thermal expansion of the material"},
                 &SolidMaterial::thermal_expansion,
                 per_million_K},
     SolidNumber{{"density_kg_m3", between(500, 20000, "kg/m3"), unset, "density of the material"},
@@ -320,7 +321,7 @@ model::Housing read_housing(ModelTables& tables) {
     for (const char* key : {"length_mm", "outer_diameter_mm"})
       if (s.find(key))
         s.fail(key, fmt::format("{} = {}: not possible together with segments of [housing], which "
-                                "already give this; remove one",
+                                "already give this dimension; remove the key or the segments",
                                 key, text::shown(*s.find(key))));
     housing.segments = read_housing_segments(tables, s, material);
     if (housing.segments.empty())

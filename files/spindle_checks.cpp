@@ -113,9 +113,10 @@ class SpindleCheck {
     for (std::size_t k = 1; k < sets_.bearings().size(); ++k)
       if (position(k) - position(k - 1) < rings_[k].width - rounding)
         fail_bearing(
-            k, fmt::format("is {} behind the previous bearing, but the ring width is {}: give the "
-                           "centres from the nose to the rear, at least one width apart",
-                           in_mm(position(k) - position(k - 1)), in_mm(rings_[k].width)));
+            k,
+            fmt::format("the bearing is {} behind the previous bearing, but the ring width is {}: "
+                        "give the centres from the nose to the rear, at least one width apart",
+                        in_mm(position(k) - position(k - 1)), in_mm(rings_[k].width)));
     for (std::size_t k = sets_.bearings().size(); k < rings_.size(); ++k)
       for (std::size_t other = 0; other < k; ++other)
         if (rings_[k].front() < rings_[other].rear() - rounding &&
@@ -161,7 +162,7 @@ class SpindleCheck {
       const double wall = std::isnan(s.bore) ? s.diameter : s.bore;
       if (over && rotor.rotor_diameter >= wall)
         fail("motor", "rotor_diameter_mm", rotor.rotor_diameter,
-             fmt::format("must be below {}, the {} of the housing around it", in_mm(wall),
+             fmt::format("must be below {}, the {} of the housing around the rotor", in_mm(wall),
                          std::isnan(s.bore) ? "outer diameter" : "bore"));
     }
   }
@@ -351,9 +352,10 @@ class SpindleCheck {
     if (!source || std::isnan(source->position)) return;
     const double half = std::isnan(source->length) ? 0.0 : 0.5 * source->length;
     if (!shaft_.holds(source->position - half, source->position + half))
-      fail(table, "position_mm", source->position,
-           fmt::format("with a length of {}, the part does not lie entirely on the shaft: {}",
-                       in_mm(2.0 * half), shaft_reach()));
+      fail(
+          table, "position_mm", source->position,
+          fmt::format("with a length of {}, the heated part does not lie entirely on the shaft: {}",
+                      in_mm(2.0 * half), shaft_reach()));
   }
 
   void check_heated(const Section& s, const model::HeatSource& source) const {

@@ -35,7 +35,7 @@ const Key spindle_bearing_keys[]{
      "contacts"},
 };
 constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
-                                       "from the sliding at each ring",
+                                       "calculated from the sliding at each ring",
                                        "share of the friction heat that enters the inner ring"}};
 constexpr Key spindle_solver_keys[]{
     {"cells", one_of("coarse|medium|fine"), "medium", "size of the mesh cells"},
@@ -95,16 +95,17 @@ void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spind
        g.pitch_diameter - 0.7 * g.ball_diameter);
   take(spindle.outer_ring_shoulder, "outer_ring_shoulder_mm",
        g.pitch_diameter + 0.7 * g.ball_diameter);
-  const auto require = [&](const char* key, double value, double lower, double upper) {
+  const auto require = [&](const char* key, double value, double lower, double upper,
+                           const char* limits) {
     if (!(value > lower && value < upper))
-      s.fail(key, fmt::format("{} = {:.6g} mm: must be between {:.6g} and {:.6g} mm, the other "
-                              "diameter of the ring and the pitch diameter",
-                              key, value / mm, std::min(lower, upper) / mm,
-                              std::max(lower, upper) / mm));
+      s.fail(key, fmt::format("{} = {:.6g} mm: must be between {:.6g} and {:.6g} mm, {}", key,
+                              value / mm, std::min(lower, upper) / mm, std::max(lower, upper) / mm,
+                              limits));
   };
-  require("inner_ring_shoulder_mm", spindle.inner_ring_shoulder, g.bore, g.pitch_diameter);
-  require("outer_ring_shoulder_mm", spindle.outer_ring_shoulder, g.pitch_diameter,
-          g.outer_diameter);
+  require("inner_ring_shoulder_mm", spindle.inner_ring_shoulder, g.bore, g.pitch_diameter,
+          "the bore and the pitch diameter of the bearing");
+  require("outer_ring_shoulder_mm", spindle.outer_ring_shoulder, g.pitch_diameter, g.outer_diameter,
+          "the pitch diameter and the outer diameter of the bearing");
   spindle.lubricant_conductance =
       tables.number(s, "lubricant_conductance_W_K", spindle::usual_lubricant_conductance(g));
 }
@@ -207,7 +208,7 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
           tables.part("friction", {spindle_friction_keys}).number("inner_heat_share"))
     spindle.inner_heat_share = *share;
   else
-    tables.note_default("friction", "inner_heat_share", "from the sliding at each ring");
+    tables.note_default("friction", "inner_heat_share", "calculated from the sliding at each ring");
   read_solution(tables, spindle);
   spindle.ambient = read_ambient(tables);
   if (tables.root().contains("network")) spindle.network = read_network(tables, spindle.ambient);

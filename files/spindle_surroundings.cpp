@@ -48,7 +48,7 @@ constexpr Key channel_keys[]{
     {"diameter_mm", between(1, 10000, "mm"), is_required, "diameter of the helix of the channel"},
     {"channel_width_mm", between(0.1, 1000, "mm"), is_required,
      "width of the channel along the spindle"},
-    {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
+    {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial depth of the channel"},
     {"pitch_mm", between(0.1, 10000, "mm"), is_required,
      "axial distance from turn to turn, at least channel_width_mm"},
     {"start_mm", anywhere, is_required, "distance of the inlet behind the nose face"},
@@ -65,7 +65,7 @@ constexpr const char* heat_meaning =
     "moment_Nm, belt_force_N and "
     "motor_power_W";
 const Key factor_key{"heat_factor", between(0, 100), model::HeatSource{}.factor,
-                     "factor on heat_W if it is a formula; can be fitted"};
+                     "factor on heat_W if heat_W is a formula; a fit can change this factor"};
 const Key motor_keys[]{
     {"heat_W", between(0, 1e6, "W"), 0.0, heat_meaning},
     factor_key,
@@ -79,7 +79,7 @@ const Key drive_keys[]{
     {"heat_W", between(0, 1e6, "W"), "0 if belt_force_N is given, else required", heat_meaning},
     factor_key,
     {"belt_force_N", between(0, 1e8, "N"), unset,
-     "belt force on the shaft; a speed programme can have it as a column"},
+     "belt force on the shaft; the column belt_force_N of a speed programme replaces this value"},
     {"belt_angle_deg", between(-360, 360, "deg"), 0.0,
      "angle of the belt force, measured from +y (direction of radial loads at the nose) towards "
      "+z"},

@@ -102,7 +102,7 @@ void finish_load(LoadCase& load) {
   for (const std::size_t k : order) {
     if (!time.empty() && time.back() == load.time[k])
       throw text::InputError(fmt::format("{}: load case {}: the time {:.6g} s occurs twice; give "
-                                         "each load case a different load_case",
+                                         "each load case a different name in the column load_case",
                                          load.place.text(), load.name, load.time[k]),
                              load.place);
     time.push_back(load.time[k]);

@@ -279,7 +279,7 @@ class SeriesProposals {
       if (columns.size() != 1 || std::count_if(wanted_.begin(), wanted_.end(), is_of) != 1)
         continue;
       const Channel& channel = **std::find_if(wanted_.begin(), wanted_.end(), is_of);
-      choose(columns.front(), channel, "the last column of this kind");
+      choose(columns.front(), channel, "the only remaining column of this quantity");
     }
   }
 

@@ -177,7 +177,7 @@ void combine_transducers(record::Record& record, const ColumnMap& map,
     }
     record.set(*c->displacement, std::move(sum));
     record.notes.push_back(record::note::read_as(
-        fmt::format("{} is {}, by [transducers]", c->displacement->name, words(*c)),
+        fmt::format("{} is calculated as {}, by [transducers]", c->displacement->name, words(*c)),
         {.file = record.source, .key = std::string(c->displacement->name)}));
   }
   std::erase_if(record.columns, [&](const record::Column& column) {

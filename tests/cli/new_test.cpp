@@ -155,7 +155,7 @@ TEST(New, ACorrectionOfMillimetresIsWarnedOf) {
   const std::string record = scratch.write("mm.csv", text), model = scratch.file("mm.toml");
   const Result written = run("new --record " + record + " -o " + model);
   EXPECT_EQ(written.status, 0);
-  EXPECT_THAT(written.err, HasSubstr("warning: displacement_z_um moves by"));
+  EXPECT_THAT(written.err, HasSubstr("warning: displacement_z_um changes by"));
   expect_refused(run("identify " + model + " " + record), "unit = \"mm\" }");
 }
 

@@ -299,10 +299,9 @@ TEST(ModelFile, AnEffectThatTheSupplyRulesOutIsNotedAndStaysOn) {
   EXPECT_THAT(texts(parse_model(complete + churning, "m.toml").notes), testing::IsEmpty());
   const ModelFile file =
       parse_model(changed(oil, oil + "supply = \"oil-air\"\n") + churning, "m.toml");
-  EXPECT_THAT(
-      texts(file.notes),
-      ElementsAre("effect churning: the bearing is lubricated by oil-air, but this effect needs an "
-                  "oil bath; the model uses it nevertheless"));
+  EXPECT_THAT(texts(file.notes),
+              ElementsAre("effect churning: the bearing is lubricated by oil-air, but this effect "
+                          "needs an oil bath; the model uses the effect nevertheless"));
   EXPECT_EQ(file.model.effects.size(), 2u);
 }
 

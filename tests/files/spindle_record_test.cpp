@@ -172,7 +172,7 @@ TEST(SpindleRecord, SettingsWithoutAStatementHoldUntilTheirRowWithANote) {
 
 TEST(SpindleRecord, SensorThatTheModelLacksIsTold) {
   EXPECT_THAT(texts(read_rows("time_s,speed_rpm,gearbox_temperature_C\n60,1000,20\n").notes),
-              Contains("not used, because the model does not predict it: gearbox_temperature_C"));
+              Contains("not used, because not predicted by the model: gearbox_temperature_C"));
 }
 
 TEST(SpindleRecord, LoadsHaveASignAlongTheShaft) {

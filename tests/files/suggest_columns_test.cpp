@@ -158,10 +158,8 @@ TEST(SuggestColumns, OfACorrectionAreWhatItAsksForByTheWordsOfTheirNames) {
 TEST(SuggestColumns, OfACorrectionNameWhatIsNotFound) {
   const std::string map = suggested_for(two_lags, "time_s,T1,probe\n0,20,1\n60,21,2\n120,20,3\n");
   EXPECT_THAT(map, HasSubstr("\n# \"time_s\" needs no line, because raceway knows this name\n"));
-  EXPECT_THAT(
-      map,
-      HasSubstr("\ndisplacement_z_um = \"probe\"  # no unit in the file; raceway reads it in um  # "
-                "the last column of this kind\n"));
+  EXPECT_THAT(map, HasSubstr("\ndisplacement_z_um = \"probe\"  # no unit in the file; raceway "
+                             "reads it in um  # the only remaining column of this quantity\n"));
   // Which of two it is nobody says.
   EXPECT_THAT(
       map,

@@ -151,7 +151,7 @@ TEST(TorqueSensorTable, MayStandInAFileBesideTheModel) {
   EXPECT_EQ(file.files.front().path, (fs::weakly_canonical(folder) / "sensor.toml").string());
   std::ofstream(folder / "sensor.toml") << "[rig]\n";
   EXPECT_THAT(tests::message_of([&] { (void)read_model((folder / "model.toml").string()); }),
-              HasSubstr("sensor.toml: has no table [torque_sensor]"));
+              HasSubstr("sensor.toml: the file has no table [torque_sensor]"));
   fs::remove_all(folder);
 }
 

@@ -47,8 +47,9 @@ TEST(Transducers, TogetherReadPositionAndAngle) {
   EXPECT_NEAR(r.value(nest_x, 1), 1.5e-6, 1e-18);
   EXPECT_NEAR(r.value(nest_b, 1), 10e-6, 1e-17);
   EXPECT_EQ(r.columns.size(), 3U) << "the transducers themselves are gone";
-  EXPECT_THAT(r.notes, Contains(Field(&record::Note::text,
-                                      HasSubstr("displacement_b_urad is -5 x1_um + 5 x2_um"))));
+  EXPECT_THAT(r.notes, Contains(Field(
+                           &record::Note::text,
+                           HasSubstr("displacement_b_urad is calculated as -5 x1_um + 5 x2_um"))));
 }
 
 TEST(Transducers, MayBeInAnyUnitAndHaveAnyHeader) {
@@ -194,7 +195,7 @@ TEST(Angle, IsAskedAboutWhereItsUnitIsImplausible) {
        {std::pair{1e-3, "mrad"}, std::pair{1e-6, "rad"}, std::pair{1e-6 * 180 / 3.14159, "deg"}}) {
     const std::vector<Doubt> found = doubts(per_urad);
     ASSERT_EQ(found.size(), 1U) << unit;
-    EXPECT_THAT(found[0].text, HasSubstr("displacement_b_urad turns by ")) << unit;
+    EXPECT_THAT(found[0].text, HasSubstr("displacement_b_urad changes by ")) << unit;
     EXPECT_THAT(found[0].text, HasSubstr(std::string("are the values in ") + unit + " (")) << unit;
   }
 }

@@ -156,7 +156,7 @@ TEST(Covariance, IsRefusedWithLineAndKey) {
               HasSubstr("m.toml:29: units = \"N\": the unit of windage.torque_at_10000_rpm_Nmm "
                         "must be \"N mm\""));
   EXPECT_THAT(message("values = [1.5, 60.0]", "values = [1.5]"),
-              HasSubstr("m.toml:30: values = [...]: must be a list of 2"));
+              HasSubstr("m.toml:30: values = [...]: must be a list of length 2"));
   EXPECT_THAT(message("[0.05, 4]", "[0.05, -4]"), HasSubstr("m.toml:31: std"));
   EXPECT_THAT(message("[0.05, 4]", "[0.05, nan]"), HasSubstr("must be a number"));
   EXPECT_THAT(message("-0.5, 1]", "-1.5, 1]"), HasSubstr("m.toml:32: correlation = -1.5"));
