@@ -101,13 +101,13 @@ void note_unit(const ColumnSource& source, Recognised& result) {
   if (source.excel_date || !own) return;
   std::string text;
   if (source.cells.unit && source.cells.unit != own)
-    text = fmt::format("in {}: {}", source.cells.unit->words,
+    text = fmt::format("converted from {}: {}", source.cells.unit->words,
                        text::conversion(*source.cells.unit, *own));
   if (source.cells.factor != 1.0)
-    text += fmt::format("{}times {:.10g}", text.empty() ? "" : ", ", source.cells.factor);
+    text += fmt::format("{}multiplied by {:.10g}", text.empty() ? "" : ", ", source.cells.factor);
   if (!text.empty())
     result.notes.push_back(record::note::read_as(
-        fmt::format("column {} is {}, read {}", source.name, source.channel->name, text),
+        fmt::format("column {} is {}, {}", source.name, source.channel->name, text),
         {.key = source.name}));
 }
 

@@ -176,7 +176,9 @@ constexpr Key correction_effect_keys[]{
      "effect acts on the input of its channel inside this window"},
 };
 constexpr Key correction_own_effect_keys[]{
-    {"formula", a_text, unset, "formula of your own effect, from columns and its parameters"},
+    {"formula", a_text, unset,
+     "formula of your own effect, a function of columns and of parameters of the effect; the "
+     "displacement is gain_um times the formula, with a lag if time_constant_s is given"},
     {"title", a_text, unset, "title of your own effect in messages"},
     {"gain_um", between(-most, most, "um"), unset,
      "gain of your own effect in um per unit of its formula, required; 0: the effect is off, and "

@@ -217,7 +217,7 @@ void read_heated_place(ModelTables& tables, const Section& s, std::size_t index,
     refuse("length_mm", "already gives the length");
   }
   if (solid || source.place == Place::pulley || source.place == Place::seal)
-    refuse("shaft_share", "has only one part; only a motor or a bearing has a share");
+    refuse("shaft_share", "heats only one part; only a motor or a bearing has a share");
   const bool spanned = s.find("position_mm") || s.find("length_mm");
   for (const char* key : {"position_mm", "length_mm"})
     if ((solid || spanned) && !s.find(key)) s.fail_missing(key);

@@ -41,11 +41,10 @@ TEST(ColumnUnits, AKnownUnitInTheNameIsReadAndTold) {
   EXPECT_DOUBLE_EQ(r.value(record::temperature, 0), 313.15);
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.2);
   EXPECT_DOUBLE_EQ(r.value(record::torque_deviation, 0), 1e-3);
+  EXPECT_THAT(texts(r.notes), Contains("column friction_torque_Nm is friction_torque_Nmm, "
+                                       "converted from N m: 1 N m = 1000 N mm"));
   EXPECT_THAT(texts(r.notes),
-              Contains("column friction_torque_Nm is friction_torque_Nmm, read in N m: "
-                       "1 N m = 1000 N mm"));
-  EXPECT_THAT(texts(r.notes),
-              Contains("column temperature_K is temperature_C, read in K: C = K - 273.15"));
+              Contains("column temperature_K is temperature_C, converted from K: C = K - 273.15"));
 }
 
 TEST(ColumnUnits, RangesAreThoseOfTheFile) {

@@ -288,7 +288,7 @@ TEST(SpindleSection, SourcesOfHeatThatCannotBeAreRefused) {
   EXPECT_THAT(refused("heat_W = 1\nat = \"front_1\"\nposition_mm = 60\n"),
               HasSubstr("already gives the position"));
   EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\nshaft_share = 0.5\n"),
-              HasSubstr("has only one part; only a motor or a bearing has a share"));
+              HasSubstr("heats only one part; only a motor or a bearing has a share"));
   EXPECT_THAT(refused("heat_W = 1\nheat_factor = 2\nat = \"seal\"\n"),
               HasSubstr("heat_W is a number"));
   EXPECT_THAT(refused("heat_W = 1\nat = \"seal\"\n[[heat]]\nname = \"a\"\nheat_W = 1\n"
