@@ -44,7 +44,7 @@ constexpr Key correction_keys[]{
      "standard deviation of the noise of one reading"},
     {"initial_state", one_of("rest|free"), "rest",
      "state of the machine at the start of the record; rest: in thermal equilibrium; free: not in "
-     "equilibrium, so the initial states are fitted"},
+     "equilibrium, so the program fits the initial states of the lags"},
     {"offset_um", between(-1e6, 1e6, "um"), 0.0, "constant that is added to the prediction"},
     {"sampling_s", between(1e-6, 1e6, "s"), unset,
      "sampling interval for which numerator and denominator are valid; records with another "

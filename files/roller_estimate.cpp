@@ -76,10 +76,10 @@ EstimatedRollers estimated_rollers(std::string_view designation) {
   const std::string digits = digits_behind(plain_designation(designation), "N");
   const auto refuse = [&](const std::string& why) {
     throw text::InputError(
-        fmt::format("{}: {}; write its [bearing] with type = \"cylindrical-roller\", "
-                    "roller_count, roller_diameter_mm, roller_length_mm and "
-                    "pitch_diameter_mm (docs/roller.md)",
-                    designation, why),
+        fmt::format(
+            "{}: {}; write the table [bearing] with type = \"cylindrical-roller\", roller_count, "
+            "roller_diameter_mm, roller_length_mm and pitch_diameter_mm (docs/roller.md)",
+            designation, why),
         {.key = "BEARING"});
   };
   if (digits.size() != 4 || !digits.starts_with("10"))

@@ -77,7 +77,7 @@ struct Clock {
   [[nodiscard]] Doubt looks_like(const text::Unit& unit) const {
     return {
         .text = fmt::format("the record has a sampling interval of {} and a duration of {}: is "
-                            "time_s in {} (interval {} over {})?",
+                            "time_s in {} (sampling interval {}, duration {})?",
                             duration_text(step), duration_text(length), unit.words,
                             duration_text(unit.factor * step), duration_text(unit.factor * length)),
         .units = {{&record::time, unit.suffix}}};

@@ -35,7 +35,7 @@ const Key spindle_bearing_keys[]{
      "contacts"},
 };
 constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
-                                       "calculated from the sliding at each ring",
+                                       "calculated from the sliding friction at each ring",
                                        "share of the friction heat that enters the inner ring"}};
 constexpr Key spindle_solver_keys[]{
     {"cells", one_of("coarse|medium|fine"), "medium", "size of the mesh cells"},
@@ -208,7 +208,8 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
           tables.part("friction", {spindle_friction_keys}).number("inner_heat_share"))
     spindle.inner_heat_share = *share;
   else
-    tables.note_default("friction", "inner_heat_share", "calculated from the sliding at each ring");
+    tables.note_default("friction", "inner_heat_share",
+                        "calculated from the sliding friction at each ring");
   read_solution(tables, spindle);
   spindle.ambient = read_ambient(tables);
   if (tables.root().contains("network")) spindle.network = read_network(tables, spindle.ambient);

@@ -99,10 +99,10 @@ const Key heat_keys[]{
      "place of the heat source: shaft, housing, motor (shaft and housing between the sets), pulley "
      "(shaft behind the last bearing), seal (shaft before the first bearing), or a bearing such as "
      "front_1 or rear_1"},
-    {"position_mm", anywhere, "from the place",
+    {"position_mm", anywhere, "from the key at",
      "distance of the middle of the heated part behind the nose face; required for shaft and "
      "housing, and with length_mm"},
-    {"length_mm", between(0.1, longest_mm, "mm"), "from the place",
+    {"length_mm", between(0.1, longest_mm, "mm"), "from the key at",
      "length of the heated part; required for shaft and housing, and with position_mm"},
     {"radius_mm", between(0, 5000, "mm"), "all cells from bore to surface",
      "radius of the heated cells of shaft or housing"},

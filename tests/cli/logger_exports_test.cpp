@@ -128,11 +128,11 @@ TEST(LoggerExports, TimesInOtherUnitsAreAskedAboutBeforeAnyResult) {
        {std::pair{1.0 / 60.0, "min"}, {1e3, "ms"}, {1.0 / 3600.0, "h"}, {1.0 / 86400.0, "d"}}) {
     const Exported other = scaled(at_time, factor);
     for (const std::string& command : other.commands())
-      expect_refused(run(command),
-                     fmt::format("is time_s in {} (interval 60 s over 14 h)? If so, set the unit "
-                                 "in [columns]: time_s = {{ column = \"time_s\", unit "
-                                 "= \"{}\" }}",
-                                 unit, unit));
+      expect_refused(
+          run(command),
+          fmt::format("is time_s in {} (sampling interval 60 s, duration 14 h)? If so, set the "
+                      "unit in [columns]: time_s = {{ column = \"time_s\", unit = \"{}\" }}",
+                      unit, unit));
     const std::string map = other.folder.write(
         "map.toml",
         fmt::format("[columns]\ntime_s = {{ column = \"time_s\", unit = \"{}\" }}\n", unit));
@@ -183,8 +183,8 @@ TEST(LoggerExports, UnitsOfARecordOfASpindleAreAskedAboutBeforeAnyResult) {
   };
   for (const auto& [factor, unit] : {std::pair{1.0 / 60.0, "min"}, {1.0 / 86400.0, "d"}})
     refused(time, factor, 0.0,
-            fmt::format("is time_s in {0} (interval 60 s over 7.98 h)? If so, set the unit in "
-                        "[columns]: time_s = {{ column = \"time_s\", unit = \"{0}\" }}",
+            fmt::format("is time_s in {0} (sampling interval 60 s, duration 7.98 h)? If so, set "
+                        "the unit in [columns]: time_s = {{ column = \"time_s\", unit = \"{0}\" }}",
                         unit));
   for (const auto& [factor, words, unit] : {std::tuple{1.0 / 60.0, "1/s", "1_s"},
                                             {std::acos(-1.0) / 30.0, "rad/s", "rad_s"},
