@@ -81,9 +81,9 @@ int run(const AddFlags& flags) {
     return not_converged;
   }
   if (result.refused && !flags.force) {
-    complain(
-        fmt::format("raceway add: no effect was added: {} (use --force to add it nevertheless)",
-                    result.reason));
+    complain(fmt::format(
+        "raceway add: no effect was added: {} (use --force to add the effect nevertheless)",
+        result.reason));
     return wrong_input;
   }
   output.write(asked, result.calibration);

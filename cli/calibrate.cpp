@@ -57,8 +57,8 @@ void print_parameters(const verdict::Calibration& c) {
   fmt::print("{}", table.text(terminal_width()));
   if (!profile) return;
   fmt::print(
-      "95 %: interval in which chi2, with all other parameters refitted, is at most {:.4g} above "
-      "its minimum{}\n",
+      "95 %: interval in which chi2 (weighted sum of squared residuals) is at most {:.4g}{} above "
+      "its minimum, with all other parameters refitted\n",
       fit::profile_rise * c.error_factor * c.error_factor,
       c.error_factor == 1.0 ? "" : " (3.84 times the reduced chi2)");
 }

@@ -130,15 +130,15 @@ Run setup_calibrate_sensor(CLI::App& command) {
       ->capture_default_str()
       ->type_name("N");
   flags->declare_output(command,
-                        "file to write with the table [torque_sensor], to copy into a model or to "
-                        "name in it; - for stdout");
+                        "file to write (TOML), with the table [torque_sensor]; - for stdout");
   declare(command, flags->reading);
   flags->declare_force(command);
   declare_json(command, flags->json);
   command.footer(
-      "Copy the table [torque_sensor] into a model, or write this table there with\nfile = "
-      "\"sensor.toml\". All commands then convert a column torque_signal_V of a\nrecord to the "
-      "friction torque.\n\nExample:\n  raceway calibrate-sensor weights.csv -o sensor.toml");
+      "Copy the table [torque_sensor] into a model, or give the model a table\n[torque_sensor] "
+      "that contains only file = \"sensor.toml\". All commands then\nconvert the column "
+      "torque_signal_V of a record to the friction torque.\n\nExample:\n  raceway calibrate-sensor "
+      "weights.csv -o sensor.toml");
   return [flags] { return run(*flags); };
 }
 

@@ -57,8 +57,8 @@ void print_noise(const correction::RecordCheck& c) {
     return;
   }
   fmt::print(
-      "number of stops with repeated readings: {}; scatter of a reading ±{} {} (2 sigma, {} "
-      "degrees of freedom)\n",
+      "number of machine stops with repeated readings: {}; scatter of a reading ±{} {} (2 sigma, "
+      "{} degrees of freedom)\n",
       r.stops.size(), number(2.0 * r.std / um, 2), unit, r.degrees_of_freedom);
   TextTable table(
       {{"stop at", "s"}, {"readings", ""}, {"mean", unit}, {"2 sigma of the mean", unit}});
@@ -127,8 +127,8 @@ void print_check(const correction::RecordCheck& c) {
     for (const double tau : p.check.time_constants)
       lags.push_back(std::isfinite(tau) ? fmt::format("{:.4g} s", tau) : "no decay");
     fmt::print(
-        "channel {}: time constants of the poles: {}; DC gain {:.4g} {} per unit ({:.4g} to {:.4g} "
-        "if the printed digits are rounded)\n",
+        "channel {}: time constants of the poles: {}; DC gain {:.4g} {} per unit of the input "
+        "({:.4g} to {:.4g} within the rounding of the printed digits, 5th to 95th percentile)\n",
         p.channel, fmt::join(lags, ", "), p.check.dc_gain / um, c.displacement->unit,
         p.check.dc_gain_lower / um, p.check.dc_gain_upper / um);
   }

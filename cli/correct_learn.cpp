@@ -45,9 +45,10 @@ void print_errors(const std::vector<results::Learnt>& list) {
   }
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "\nRMS error of the prediction at the readings that were not used for learning: with the "
-      "zero of the\nfirst reading, with the zero of the last reading, and with learning. Due in: "
-      "time until the next\nreading is needed\n");
+      "\nRMS errors of three predictions at the readings that were not used for learning. first "
+      "zero: model\nwithout learning, set to the first used reading of each run. last zero: model "
+      "without learning, set\nto the latest used reading. learning: model with learning. due in: "
+      "time until the next reading is\nneeded\n");
 }
 
 /// Gains, and those lags that stand out.

@@ -37,7 +37,8 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
              results::load_words(r), f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
   if (r.sets.converged())
     fmt::print(
-        "preload {:.4g} N as mounted; at this speed, without the force: front {} N, rear {} N\n",
+        "preload {:.4g} N as mounted; forces of the bearing sets at this speed, without the "
+        "external load: front {} N, rear {} N\n",
         a.preload(), number(r.sets.equilibrium.front_force), number(r.sets.equilibrium.rear_force));
   if (!r.converged()) return;
   if (std::isnan(r.stiffness()))

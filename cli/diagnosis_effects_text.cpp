@@ -142,8 +142,9 @@ void print_effects(const verdict::Diagnosis& d) {
   fmt::print("\n{}", table.text(terminal_width()));
   if (!has_gains(d)) return;
   fmt::print(
-      "gain: decrease of -2 ln L by the effect; a verdict needs {} (explanations tried: {}, rows: "
-      "{})\n",
+      "gain: decrease of -2 ln L (L: likelihood) by the effect, minus ln N (N: number of readings) "
+      "for each\nfitted parameter of the effect except its size; a verdict needs a gain of {} "
+      "(explanations tried: {},\nrows: {})\n",
       number(d.needed_gain, 3), d.candidates_tried, d.rows);
 }
 

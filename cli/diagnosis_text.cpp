@@ -19,10 +19,12 @@ void print_hold_out(const verdict::Diagnosis& d) {
   for (const fit::HoldOut& h : d.hold_out)
     for (std::size_t k = 0; k < d.channels.size(); ++k) {
       const record::Channel& of = d.channels[k].channel();
-      fmt::print("held-out RMS error, blocks by {}{}: {} {} before, {} {} after\n", h.variable,
-                 d.channels.size() > 1 ? fmt::format(", {}", of.words) : "",
-                 channel_error(h.rmse_before, k, d), error_unit(of),
-                 channel_error(h.rmse_after, k, d), error_unit(of));
+      fmt::print(
+          "held-out RMS error, blocks by {}{}: {} {} without and {} {} with the effects of the "
+          "verdict\n",
+          h.variable, d.channels.size() > 1 ? fmt::format(", {}", of.words) : "",
+          channel_error(h.rmse_before, k, d), error_unit(of), channel_error(h.rmse_after, k, d),
+          error_unit(of));
     }
 }
 
@@ -81,7 +83,7 @@ void print_verdict_details(const verdict::Diagnosis& d) {
 
 void print_limits(const verdict::Diagnosis& d) {
   const bool torque = d.channels.front().channel() == record::friction_torque;
-  TextTable found({{"would have been found: effect", "", true},
+  TextTable found({{"detectable effect", "", true},
                    {"from", ""},
                    {"unit", "", true},
                    {torque ? "% of torque" : "% of reading", ""}});
@@ -89,7 +91,7 @@ void print_limits(const verdict::Diagnosis& d) {
     found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
                number(100.0 * s.share_of_reading, 2)});
   if (!d.would_have_been_found.empty()) fmt::print("\n{}", found.text(terminal_width()));
-  if (!d.not_testable.empty()) fmt::print("\neffects that could not have been found:\n");
+  if (!d.not_testable.empty()) fmt::print("\neffects that these data cannot test:\n");
   for (const verdict::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
 }
 

@@ -156,8 +156,8 @@ void print_effect_card(const Description& d) {
   fmt::print("{}", table.text(terminal_width()));
   if (d.size_power != 0.0)
     fmt::print(
-        "usual: values at a pitch diameter of {:g} mm; they grow with the power {:g} of the pitch "
-        "diameter\n",
+        "usual: values at a pitch diameter of {:g} mm; for other bearings, they are proportional "
+        "to the pitch diameter to the power {:g}\n",
         effects::size_of_ranges / mm, d.size_power);
   fmt::print("\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n", d.id);
   for (const effects::Parameter& p : d.parameters)

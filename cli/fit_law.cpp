@@ -56,7 +56,7 @@ int run(const FitLawFlags& flags) {
   const session::LawFit found = session::fit_law(messages(), flags.curve, flags.reading, flags.at);
   const shaft::KinematicLawFit& f = found.fit;
   const files::DisplacementCurve& curve = found.curve;
-  const std::string table_file = flags.output.empty() ? "-o FILE writes it" : flags.output;
+  const std::string table_file = flags.output.empty() ? "-o FILE writes the table" : flags.output;
   if (flags.json) {
     put_document(found.json(table_file));
   } else if (f.converged() && flags.output != "-") {

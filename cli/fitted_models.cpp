@@ -48,8 +48,8 @@ void FittedModels::write(const session::LoopQuestion& asked,
   const session::FittedTexts fitted = session::fitted_texts(asked, calibration);
   if (const std::vector<std::string>& data = fitted.corrected_data; !data.empty())
     tell(
-        {fmt::format("{} {} written as a corrected value, so the file has no covariance of the "
-                     "parameters; to get it, run raceway calibrate {} DATA -o FILE",
+        {fmt::format("{} {} corrected in the written file, so the file has no covariance of the "
+                     "parameters; to add the covariance, run raceway calibrate {} DATA -o FILE",
                      text::listed(data), data.size() == 1 ? "is" : "are", paths.front())});
   std::vector<std::string> texts;
   for (std::size_t k = 0; k < paths.size(); ++k)

@@ -50,8 +50,9 @@ void print_ahead(const correction::Identification& found) {
     table.add({number(e.from / 3600.0, 3), number(e.rms / um, 3)});
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "the model is the mean over {} strengths of the ridge regression, weighted by their "
-      "prediction error\n\n",
+      "error ahead: RMS error on the rest of the record, of a fit to its first part. The gains are "
+      "the mean\nof {} ridge regressions with different penalties; the weight of each regression "
+      "depends on its error\nahead\n\n",
       found.strengths.size());
 }
 
@@ -114,7 +115,7 @@ void print_identification(const correction::Identification& found, const record:
 void print_more_errors(const record::Channel& displacement, const correction::Metrics& m) {
   if (m.readings == 0) return;
   fmt::print(
-      "{}: mean absolute error {} {unit}, peak to peak {} {unit}; the largest error is {} % "
+      "{}: mean absolute error {} {unit}, peak-to-peak error {} {unit}; the largest error is {} % "
       "smaller than the largest displacement\n",
       displacement.name, number(m.mean_abs / um, 3), number(m.peak_to_peak / um, 3),
       number(m.reduction_of_max_percent, 3), fmt::arg("unit", displacement.unit));
@@ -122,8 +123,8 @@ void print_more_errors(const record::Channel& displacement, const correction::Me
 
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& a,
                     const record::Record& record) {
-  fmt::print("{} of {}: ARX from {} on {} points every {:.4g} s\n\n", displacement.name,
-             record.source, text::listed(a.inputs), a.rows, a.sampling);
+  fmt::print("{} of {}: ARX model (inputs: {}), fitted to {} points every {:.4g} s\n\n",
+             displacement.name, record.source, text::listed(a.inputs), a.rows, a.sampling);
   const std::string unit(displacement.unit);
   TextTable table({{"order", ""},
                    {"one step", unit},

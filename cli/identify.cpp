@@ -111,10 +111,10 @@ Run setup_identify(CLI::App& command) {
                   "from which the program chooses by the held-out error; default 1:3")
       ->type_name("N");
   command
-      .add_option("--inputs", flags->choices.inputs,
-                  "columns that may become channels, separated by commas, or all; the program adds "
-                  "only columns that reduce the held-out error (with --lags or --baseline: all of "
-                  "these columns)")
+      .add_option(
+          "--inputs", flags->choices.inputs,
+          "columns that may become channels, separated by commas, or all; the program adds only "
+          "columns that reduce the held-out error; with --lags or --baseline, it adds all of them")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("COLUMNS");

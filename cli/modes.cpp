@@ -54,8 +54,8 @@ void print_crossings(const std::vector<results::ModesAtSpeed>& speeds) {
 void print(const ModesFlags& f, const session::SpindleModes& found) {
   const bearing::Arrangement& a = found.beam.sets.arrangement();
   fmt::print(
-      "Modes of {} on its bearings, mass {:.4g} kg{}: frequency in Hz, b backward whirl, f forward "
-      "whirl\n",
+      "Modes of {} on its bearings, shaft mass {:.4g} kg{}: frequency in Hz, b backward whirl, f "
+      "forward whirl\n",
       found.file.model.name, found.beam.beam.weight(),
       f.warm ? ", warm in the steady state" : ", cold");
   fmt::print("preload {:.4g} N at standstill\n\n", a.preload());
@@ -92,7 +92,7 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
     table.add(std::move(row));
   }
   fmt::print("{}", table.text(terminal_width()));
-  fmt::print("\nfront, rear: preload at this speed; K: radial stiffness of each bearing\n");
+  fmt::print("\nfront, rear: forces of the bearing sets; K: radial stiffness of each bearing\n");
   if (!std::isnan(f.unbalance_gmm))
     fmt::print(
         "nose: amplitude with an unbalance of {:.6g} g mm at {:.6g} mm and a damping ratio of "

@@ -58,8 +58,9 @@ void require_no_input(const std::string& output, const std::string& own_model) {
       throw text::InputError(
           output +
           ": this run reads this file, so it cannot write to the same file; name another file" +
-          (input == output || input.starts_with("/dev/") ? ""
-                                                         : " (it is the same as " + input + ")"));
+          (input == output || input.starts_with("/dev/")
+               ? ""
+               : " (" + input + " is another name of this file)"));
 }
 
 }  // namespace

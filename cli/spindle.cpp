@@ -146,8 +146,9 @@ Run setup_spindle(CLI::App& command) {
       .add_option("--speed-profile", flags->profile,
                   "CSV with time_s, speed_rpm and, if known, coolant_on, ambient_temperature_C, "
                   "machine_temperature_C, coolant_inlet_temperature_C, axial_load_N, "
-                  "radial_load_N, moment_Nm, belt_force_N, motor_heat_W, motor_power_W; [columns] "
-                  "settings_hold of MODEL sets the rows between which a setting applies")
+                  "radial_load_N, moment_Nm, belt_force_N, motor_heat_W, motor_power_W; "
+                  "settings_hold under [columns] of MODEL defines whether the settings of a row "
+                  "apply until the next row or from the previous row")
       ->type_name("FILE");
   command
       .add_option("--speed", flags->speed,
@@ -161,14 +162,14 @@ Run setup_spindle(CLI::App& command) {
              "[ambient] of the model");
   add_number(command, "--axial-load", flags->axial_load_N, signed_load_range,
              "axial load at the nose [N], positive towards the tool; needs --steady; default: "
-             "value of the model");
+             "external_load_N of the model");
   add_number(command, "--radial-load", flags->radial_load_N, signed_load_range,
              "radial load at the nose [N]; needs --steady; default 0");
   add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
              "moment at the nose [N m]; a positive moment turns the shaft like a positive "
              "radial load in front of the nose; needs --steady");
   add_number(command, "--belt-force", flags->belt_force_N, load_range,
-             "belt force [N]; needs --steady; default: [drive] of the model");
+             "belt force [N]; needs --steady; default: belt_force_N under [drive] of the model");
   add_number(command, "--motor-power", flags->motor_power_W, power_range,
              "motor power [W], for heat formulas with motor_power_W; needs --steady");
   flags->declare_output(

@@ -21,8 +21,8 @@ void StepCorrectionFlags::declare(CLI::App& command) {
       ->type_name("FILE");
   command
       .add_option("--law", law,
-                  "law for gain K and time constant T over the power in the correction: curve, "
-                  "power or line")
+                  "dependence of gain K and time constant T on the friction power: curve (table of "
+                  "values; default), power (power law) or line (straight line)")
       ->check(CLI::IsMember({"curve", "power", "line"}))
       ->type_name("LAW");
   command

@@ -142,8 +142,8 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("FILE");
   command
       .add_option("--load-case", flags->load_cases,
-                  "load and file of one time history with two columns, such as 50W=a.csv; repeat "
-                  "the flag for each file")
+                  "power or speed of a step, and file with two columns, time and displacement, "
+                  "such as 50W=a.csv or 6000rpm=b.csv; repeat the flag for each file")
       ->type_name("LOAD=FILE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

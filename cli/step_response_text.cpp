@@ -13,8 +13,8 @@ namespace {
 
 void print_load_steps(const std::vector<spindle::LoadSteps>& loads) {
   fmt::print(
-      "\nLoad steps at the nose of the spindle in its steady state: u = (at once) + K (1 - "
-      "exp(-t/T))\n\n");
+      "\nLoad steps at the nose of the spindle in its steady state: displacement u = (at once) + K "
+      "(1 - exp(-t/T)) after the time t\n\n");
   TextTable table({{"step", "", true},
                    {"at once", "um"},
                    {"K", "um"},
@@ -35,7 +35,8 @@ void print_steps(const session::SpindleSteps& steps) {
   const spindle::StepResponses& responses = steps.responses;
   const spindle::PowerLaws& laws = steps.laws;
   fmt::print(
-      "Step responses of {}: u = kinematic + K (1 - exp(-t/T)); power P at the end of the step\n\n",
+      "Step responses of {}: displacement u = kinematic + K (1 - exp(-t/T)) after the time "
+      "t;\npower: friction power P at the end of the step\n\n",
       steps.source);
   TextTable table({{"step", "", true},
                    {"power", "W"},

@@ -121,7 +121,7 @@ std::vector<std::string> allow_still_sensors(ControlPlan& plan, const record::Re
     const double step = in.temperature ? correction::quantum_of(channel, values) : unset;
     const std::string where = std::isnan(step)
                                   ? record.source
-                                  : fmt::format("{}, in steps of {:.3g} K", record.source, step);
+                                  : fmt::format("{} (resolution {:.3g} K)", record.source, step);
     std::string note =
         allow_to_stand(in, correction::longest_still(record, values).longest, plan.settings, where);
     if (!note.empty()) notes.push_back(std::move(note));

@@ -159,8 +159,8 @@ class Planner {
         unknown += (unknown.empty() ? "" : ", ") + in.column;
     if (!unknown.empty())
       note(
-          fmt::format("[correction.range] has no range of {}, so the program cannot detect values "
-                      "outside the training data",
+          fmt::format("[correction.range] has no range of {}, so the exported program cannot "
+                      "detect values outside the training data",
                       unknown));
   }
 
@@ -270,16 +270,17 @@ class Planner {
           "the polynomials of this channel are for calls every {:g} s, but the polynomials of "
           "another channel are for calls every {:g} s; export each displacement to a separate file",
           f.sampling, other));
-    note(fmt::format(
-        "channel {}: exported as a difference equation, because {}. The program must be called "
-        "every {:g} s; after any other interval the channel keeps its value and sets a flag",
-        c.name, because, f.sampling));
+    note(
+        fmt::format("channel {}: exported as a difference equation, because {}. The control must "
+                    "call the program every {:g} s; after any other interval, the channel keeps "
+                    "its value and the program sets a flag",
+                    c.name, because, f.sampling));
     for (const std::string& meaning : correction::pole_warnings(*c.printed))
       plan_.warnings.push_back(fmt::format("channel {}: {}", c.name, meaning));
     if (const double gap = 1.5 * f.sampling; plan_.settings.longest_gap_s < gap) {
       note(
-          fmt::format("longest_gap_s is set to {:g} s instead of {:g} s, because the program would "
-                      "report calls every {:g} s as late",
+          fmt::format("longest_gap_s is set to {:g} s instead of {:g} s; otherwise the exported "
+                      "program would report calls every {:g} s as late",
                       gap, plan_.settings.longest_gap_s, f.sampling));
       plan_.settings.longest_gap_s = gap;
       plan_.settings.clock_jump_s = std::max(plan_.settings.clock_jump_s, gap);
@@ -519,8 +520,8 @@ std::string allow_to_stand(ControlInput& in, double still_s,
   if (!(needed > in.stuck_s)) return {};
   const double before = std::exchange(in.stuck_s, needed);
   return fmt::format(
-      "{} did not change for {:.3g} min in {}, so the program reports it as stuck after {:.6g} s "
-      "instead of {:.6g} s; set stuck_s in [export] to change this time",
+      "{} did not change for {:.3g} min in {}, so the exported program reports it as stuck after "
+      "{:.6g} s instead of {:.6g} s; set stuck_s in [export] to change this time",
       in.column, still_s / 60.0, where, needed, before);
 }
 

@@ -433,7 +433,8 @@ class TableReader {
                                         : name == "denominator" ? &e.denominator
                                                                 : nullptr;
       if (!list) fail_unknown(r);
-      if (place != list->size()) fail(r, "this coefficient is not the next one of its polynomial");
+      if (place != list->size())
+        fail(r, "the coefficients of a polynomial must be in ascending order, without gaps");
       list->push_back(number(r));
     }
     if (e.numerator.size() != e.denominator.size())

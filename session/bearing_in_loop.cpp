@@ -105,10 +105,11 @@ void tell_not_predicted(Messages& messages, const std::string& file, const model
   for (const verdict::Comparison& c : comparisons)
     if (const auto& missing = c.rows_not_predicted; !missing.empty())
       messages.say(record::note::no_prediction(
-          fmt::format("{}: {} rows{} have no prediction and are left out, the first in {}: {}",
-                      file, missing.size(),
-                      comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
-                      data.place(missing.front()), why_not_predicted(model, data, missing.front())),
+          fmt::format(
+              "{}: no prediction for {} of {} rows{}, which are left out; the first is in {}: {}",
+              file, missing.size(), data.rows(),
+              comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
+              data.place(missing.front()), why_not_predicted(model, data, missing.front())),
           {.file = file}));
 }
 

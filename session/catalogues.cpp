@@ -35,7 +35,7 @@ bool any_has(std::initializer_list<std::string_view> texts, const std::string& w
   for (const EffectCard& card : correction::catalogue()) ids.emplace_back(card.id);
   const std::string near = text::suggestion(id, ids);
   throw text::InputError(fmt::format("raceway effects: {}: unknown effect{}", id,
-                                     near.empty() ? "; raceway effects lists them" : near),
+                                     near.empty() ? "; raceway effects lists all effects" : near),
                          {.key = "ID"});
 }
 
@@ -58,7 +58,7 @@ std::vector<files::CatalogueBearing> of_same_size(Messages& messages,
   if (!same.empty())
     messages.say(record::note::assumed(
         fmt::format("{0} is not in the catalogue. These bearings have the same size; raceway new "
-                    "\"{0}\" estimates this bearing",
+                    "\"{0}\" writes a model with estimated data",
                     designation)));
   return same;
 }
@@ -115,7 +115,7 @@ std::vector<files::CatalogueBearing> find_bearings(Messages& messages, const std
             "command lists all bearings",
             name, std::isnan(bore) && std::isnan(outer_diameter) ? "" : " and this size",
             files::read_designation(name).boundary()
-                ? fmt::format("raceway new \"{}\" estimates this bearing; ", name)
+                ? fmt::format("raceway new \"{}\" writes a model with estimated data; ", name)
                 : ""),
         {.key = "FILTER"});
   return rows;

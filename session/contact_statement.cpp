@@ -78,8 +78,8 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
   const double axial = std::abs(point.axial_load) + prediction.condition.extra_axial_load;
   if (axial < least)
     notes.push_back(fmt::format(
-        "the axial load of {:.4g} N is below the minimum load of {:.4g} N = Z F_c tan(alpha0), "
-        "where the inner contact loads equal the centrifugal force: balls may skid",
+        "the axial load of {:.4g} N is below the minimum load of {:.4g} N, at which the inner "
+        "contact loads equal the centrifugal force (at the nominal contact angle): balls may skid",
         axial, least));
   if (const auto& c = prediction.contacts; c && c->holding_over_traction > 1.0)
     notes.push_back(fmt::format(

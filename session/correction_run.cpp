@@ -117,8 +117,8 @@ std::vector<std::string> notes_on(const correction::Model& model) {
   std::vector<std::string> notes;
   if (std::isnan(model.tolerance))
     notes.push_back(
-        fmt::format("{}: the model has no {}: the program assumes a misfit of {:g} {}, and never "
-                    "asks for a reading",
+        fmt::format("{}: the model has no {}: the program assumes a standard deviation of {:g} {} "
+                    "for the error of the model, and never asks for a reading",
                     model.displacement->name, correction::in_unit_of(model, "tolerance_um"),
                     correction::usual_misfit / um, correction::unit_of(model)));
   if (std::isnan(model.measured_std))
@@ -128,9 +128,10 @@ std::vector<std::string> notes_on(const correction::Model& model) {
                     model.displacement->name, correction::in_unit_of(model, "measurement_std_um"),
                     correction::usual_reading_std / um, correction::unit_of(model)));
   if (model.range.empty())
-    notes.push_back(fmt::format(
-        "{}: the model has no [correction.range]: the program does not look for missing lags",
-        model.displacement->name));
+    notes.push_back(
+        fmt::format("{}: the model has no [correction.range], so learning tests no additional "
+                    "lags; identify writes this table",
+                    model.displacement->name));
   return notes;
 }
 

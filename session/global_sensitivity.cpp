@@ -44,9 +44,10 @@ std::vector<std::string> cannot_tell(const Sensitivity& s, const fit::SobolIndic
           name(order[0]), name(order[1])));
   }
   if (widest > 0.1)
-    lines.push_back(fmt::format(
-        "the confidence intervals are up to +-{:.2g} wide; four times the samples halve them",
-        widest));
+    lines.push_back(
+        fmt::format("the 95 % confidence intervals of the indices are up to +-{:.2g}; four times "
+                    "as many samples halve the intervals",
+                    widest));
   return lines;
 }
 

@@ -122,8 +122,8 @@ std::vector<record::Note> fit_notes(const model::Model& model) {
   const auto& preload = model.shaft->arrangement.design().preload;
   if (!std::holds_alternative<bearing::PreloadOffset>(preload) || !(seat > 0.0)) return {};
   const std::string so = fmt::format(
-      "the preload of {:.4g} N belongs to bearings before mounting: [seat] inner_interference_um = "
-      "{:.6g} um changes the heat through the seat, but not this preload",
+      "the preload of {:.4g} N is valid for bearings before mounting: [seat] inner_interference_um "
+      "= {:.6g} um changes the heat through the seat, but not this preload",
       mounted_preload(model), seat / um);
   const effects::Description* const effect =
       effects::find(effects::InterferenceFit::id, effects::Form::spindle);

@@ -11,8 +11,8 @@ using text::number;
 using shaft::KinematicLawVerdict;
 
 std::string law_statement(const shaft::KinematicLawFit& f, const std::string& table) {
-  const std::string tolerance =
-      fmt::format("{:.4g} um, the error of the published fit", shaft::kinematic_law_tolerance / um);
+  const std::string tolerance = fmt::format("{:.4g} um (the error of this law in its publication)",
+                                            shaft::kinematic_law_tolerance / um);
   const std::string share =
       fmt::format("{:.4g} % of the largest displacement", 100.0 * shaft::kinematic_law_share);
   if (f.verdict == KinematicLawVerdict::follows)

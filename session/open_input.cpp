@@ -133,8 +133,8 @@ std::vector<record::Note> notes_on_table(const model::Model& model, const record
   }
   if (rows == 0.0) return {};
   return {record::note::band(fmt::format(
-      "the friction table {} has a 95 % band of +-{:.3g} N mm on these rows (rms; {:.2g} % of its "
-      "torque): an error within this band can come from the table",
+      "the friction table {} has a 95 % band of +-{:.3g} N mm (RMS over these rows; {:.2g} % of "
+      "the torque from the table): an error within this band can come from the table",
       model.table->file, std::sqrt(band / rows) / N_mm, 100.0 * std::sqrt(band / torque)))};
 }
 
@@ -196,8 +196,8 @@ record::Record open_data(Messages& messages, const Source& data, const model::Mo
 void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages) {
   if (data.up_to_a_factor)
     messages.push_back(record::note::limits(
-        "the inertia is unknown, so all torques, f0, z and sizes in N mm have an unknown common "
-        "factor; the result depends on the shape of the curve only",
+        "the inertia is unknown, so all torques, f0, z and effect sizes in N mm have an unknown "
+        "common factor; the result depends on the shape of the curve only",
         {.key = "inertia_kgm2"}));
 }
 

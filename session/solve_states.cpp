@@ -218,9 +218,10 @@ void require_rig(const files::ModelFile& file) {
         {.file = file.source, .key = "arrangement"});
   for (const effects::Effect& effect : file.model.effects)
     if (const std::string more = beyond_a_state(*effect.description); !more.empty())
-      throw text::InputError(fmt::format("{}: {} needs {}, but single states do not have this",
-                                         file.source, effect.description->id, more),
-                             {.file = file.source, .key = std::string(effect.description->id)});
+      throw text::InputError(
+          fmt::format("{}: the effect {} needs {}, but a single state does not have this",
+                      file.source, effect.description->id, more),
+          {.file = file.source, .key = std::string(effect.description->id)});
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ void check(const DeflectionQuestion& q) {
   const std::string force = named(q.wording, "--force", "force_N");
   const std::string moment = named(q.wording, "--moment", "moment_Nm");
   if (q.force == 0.0 && q.moment == 0.0)
-    refuse(fmt::format("{} = 0 N: give a force or a {}", force, moment), force);
+    refuse(fmt::format("{} = 0 N: give a force, or a moment with {}", force, moment), force);
   if (!q.axial || (q.axial_force == 0.0 && q.moment == 0.0)) return;
   refuse(fmt::format("{} needs a radial {} (0 is allowed)",
                      q.moment != 0.0 ? moment : named(q.wording, "--axial-force", "axial_force_N"),

@@ -131,11 +131,11 @@ bool SpindleModes::converged() const {
 }
 
 std::vector<std::string> SpindleModes::notes() const {
-  std::vector<std::string> lines{std::isnan(damping_ratio)
-                                     ? "the model does not include damping and the deflection of "
-                                       "the housing, so damping_ratio is empty"
-                                     : "damping_ratio is the given value; the model does not "
-                                       "include the deflection of the housing"};
+  std::vector<std::string> lines{
+      std::isnan(damping_ratio) ? "the model does not include damping, so damping_ratio is empty; "
+                                  "the model does not include the deflection of the housing"
+                                : "damping_ratio is the given value; the model does not "
+                                  "include the deflection of the housing"};
   if (std::string unused = unused_coolant_off(file.model, coolant_on, warm); !unused.empty())
     lines.push_back(std::move(unused));
   return lines;

@@ -71,7 +71,7 @@ void add_kinematic_law(const std::vector<shaft::DisplacementPoint>& curve, StepP
           fit.max_abs / um));
   } catch (const std::invalid_argument& e) {
     parts.notes.push_back(fmt::format(
-        "no kinematic law: {}; the correction has no immediate displacement", e.what()));
+        "no kinematic law was fitted: {}; the correction has no kinematic displacement", e.what()));
   }
 }
 
@@ -128,7 +128,7 @@ StepParts step_parts(const spindle::StepResponses& responses, const model::Model
     add_kinematic_law(at_once, parts);
   else
     parts.notes.push_back(
-        "the correction has no immediate displacement: no MODEL describes the bearing sets, and no "
+        "the correction has no kinematic displacement: no MODEL describes the bearing sets, and no "
         "load case has a displacement at 0 s");
   return parts;
 }

@@ -63,7 +63,9 @@ std::vector<State> states_of(const std::vector<Axis>& axes) {
       }
     states = std::move(more);
     if (states.size() > most_states)
-      throw text::InputError(fmt::format("more than {} states are requested", most_states));
+      throw text::InputError(
+          fmt::format("more than {} states are requested; give fewer speeds, loads or temperatures",
+                      most_states));
   }
   return states;
 }

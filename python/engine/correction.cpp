@@ -150,7 +150,7 @@ EngineAnswer fit_law(const Data& curve, double at_rpm, const py::kwargs& given) 
     const auto found =
         std::make_shared<const session::LawFit>(session::fit_law(heard, *curve, reading, at_rpm));
     EngineAnswer answer;
-    answer.json = found->json("-o FILE writes it");
+    answer.json = found->json("-o FILE writes the table");
     answer.converged = found->fit.converged();
     answer.csv = [found] {
       return files::displacement_table_text(shaft::make_displacement_table(found->curve.points),

@@ -194,7 +194,9 @@ def test_modes_and_shapes_are_those_of_the_command(small, driven, document, csv,
     of_warm = driven.modes([4000, 8000], warm=True, coolant=False, count=3)
     assert of_warm.data == document(*warm)
     pd.testing.assert_frame_equal(of_warm.shapes(), frame_of(run(*warm, "--shapes", "-")), check_exact=True)
-    assert found.notes == ["the model does not include damping and the deflection of the housing, so damping_ratio is empty"]
+    assert found.notes == [
+        "the model does not include damping, so damping_ratio is empty; the model does not include the deflection of the housing"
+    ]
     ax = plot.campbell(found)
     assert list(ax.lines[0].get_xdata()) == [0, 5000, 10000]
     shaken = ("modes", SMALL, "--speed", "5000,10000", "--damping", "0.02", "--unbalance", "5", "--unbalance-at", "20")
@@ -373,7 +375,7 @@ def test_profiles_that_are_none_are_refused(small, frame, words):
         (lambda m: m.simulate(record(JUMP), start=20.0), TypeError, "start: must be the end_state of a result"),
         (lambda m: m.modes(0, count=41), raceway.InputError, "count = 41 modes: must be from 1 to 40"),
         (lambda m: m.modes(0, count=2.5), TypeError, "count: must be a whole number"),
-        (lambda m: m.deflection(), raceway.InputError, "force_N = 0 N: give a force or a moment_Nm"),
+        (lambda m: m.deflection(), raceway.InputError, "force_N = 0 N: give a force, or a moment with moment_Nm"),
         (lambda m: m.deflection(1, direction="up"), ValueError, "direction = 'up': must be radial or axial"),
         (lambda m: m.deflection(1, direction="axial", moment_Nm=3), raceway.InputError, "moment_Nm needs a radial force_N"),
         (lambda m: m.deflection(1, at_mm=-1), raceway.InputError, "at_mm = -1 mm: must be from 0"),

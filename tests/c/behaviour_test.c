@@ -235,9 +235,10 @@ static void a_reading_needs_a_rig_and_nothing_beside_the_state(const char* root)
   raceway_model* drifting = model_of(text);
   CHECK(raceway_predict(drifting, 1, &speed, NULL, NULL, NULL, NULL, &reading, NULL, message,
                         600) == RACEWAY_WRONG_INPUT);
-  CHECK_TEXT(
-      message,
-      "my.toml: torque-time-drift needs time_s of every row, but single states do not have this");
+  CHECK_TEXT(message,
+             "my.toml: the effect torque-time-drift needs time_s of every row, but a single state "
+             "does not "
+             "have this");
   raceway_free(drifting);
 }
 

@@ -76,7 +76,7 @@ TEST(CoastDownRecords, AnUnknownInertiaChangesSizesAndNothingElse) {
   const std::string record = " " + shipped + "flywheel_unloaded.csv";
   const Result r = run("diagnose --json " + unknown + record);
   const std::string said =
-      "the inertia is unknown, so all torques, f0, z and sizes in N mm have an";
+      "the inertia is unknown, so all torques, f0, z and effect sizes in N mm have an";
   EXPECT_THAT(r.err,
               testing::HasSubstr("inertia_kgm2 = \"unknown\": the program assumes 0.4782 kg m2"));
   EXPECT_THAT(r.err, testing::HasSubstr(said));

@@ -76,7 +76,7 @@ TEST_F(Compare, LeavesOutRowsWithoutBalanceAndSaysSo) {
   const std::string data = scratch_.write("d.csv", data_text + "20000,5,500\n");
   const Result r = run("compare " + model + " " + data + " --json");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("have no prediction and are left out"));
+  EXPECT_THAT(r.err, HasSubstr("rows, which are left out"));
   EXPECT_THAT(parsed(r)["rows_not_predicted"], testing::Contains(10));
 }
 

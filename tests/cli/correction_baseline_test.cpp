@@ -66,7 +66,7 @@ TEST_F(CorrectionBaseline, ArxShowsWhyItIsNotUsed) {
   const std::string command = "identify " + model_ + " " + coarse + " --baseline arx --order 1:2";
   const Result text = run(command);
   EXPECT_EQ(text.status, 0) << text.err;
-  EXPECT_THAT(text.out, HasSubstr("ARX from front on 1440 points every 60 s"));
+  EXPECT_THAT(text.out, HasSubstr("ARX model (inputs: front), fitted to 1440 points every 60 s"));
   EXPECT_THAT(text.out,
               HasSubstr("one step: prediction of each point from the readings before it"));
   const json d = parsed(run(command + " --json"));

@@ -355,8 +355,9 @@ TEST(CorrectionStops, TellsTheRepeatabilityOfApproaches) {
                           0.4 * k + 0.2 * ((7 * k + 3 * i * i) % 5 - 2));
   const std::string command =
       "check " + scratch.write("m.toml", z_model()) + " " + scratch.write("r.csv", text);
-  EXPECT_THAT(run(command).out,
-              HasSubstr("number of stops with repeated readings: 40; scatter of a reading ±"));
+  EXPECT_THAT(
+      run(command).out,
+      HasSubstr("number of machine stops with repeated readings: 40; scatter of a reading ±"));
   const auto document = parsed(run(command + " --json"));
   EXPECT_EQ(document["repeatability"]["stops"].size(), 40u);
   EXPECT_EQ(document["repeatability"]["stops"][3]["readings"], 5);

@@ -43,8 +43,9 @@ TEST(Export, RunsAsCorrectDoes) {
   const Result written = run("export " + model + " --format python -o " + program);
   ASSERT_EQ(written.status, 0) << written.err;
   EXPECT_THAT(written.err, HasSubstr("z.py written: 1 displacement with 2 terms from 2 inputs"));
-  EXPECT_THAT(written.err,
-              HasSubstr(", so the program cannot detect values outside the training data"));
+  EXPECT_THAT(
+      written.err,
+      HasSubstr(", so the exported program cannot detect values outside the training data"));
   const auto exported = rows_of(run_shell("python3 " + program + " " + data).out);
   const auto corrected = rows_of(run("correct " + model + " " + data + " -o - --quiet").out);
   ASSERT_EQ(exported.size(), 200u);
@@ -152,7 +153,7 @@ TEST(Export, RefusesInOneMessage) {
   EXPECT_THAT(exported.err, HasSubstr("note: channel published: exported as a difference equation, "
                                       "because the poles 0.6 +- 0.6i "
                                       "are complex, but a sum of lags has only real poles. The "
-                                      "program must be called every 1 s"));
+                                      "control must call the program every 1 s"));
   EXPECT_THAT(exported.err, HasSubstr("warning: channel published: complex poles: the output "
                                       "oscillates, which no thermal body does"));
   EXPECT_THAT(run("export " + scratch.write("b.toml", "[bearing]\n") + " --format c").err,

@@ -100,7 +100,7 @@ TEST(FitLaw, OffersAMonotoneTableWhereTheLawIsTooStiff) {
   const Result r = run("fit-law " + file);
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.out, HasSubstr("The law does not follow the curve"));
-  EXPECT_THAT(r.out, HasSubstr("-o FILE writes it"));
+  EXPECT_THAT(r.out, HasSubstr("-o FILE writes the table"));
   const std::string table = scratch.file("table.csv");
   const Result written = run("fit-law " + file + " -o " + table);
   EXPECT_THAT(written.err, HasSubstr("table.csv written, 41 speeds"));

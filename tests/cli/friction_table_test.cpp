@@ -163,7 +163,7 @@ TEST_F(FrictionTable, TheBandOfItsReadingsIsToldBesideErrors) {
                        p["friction_torque_Nmm"].get<double>());
   scratch_.write("torque.csv", csv);
   const Result r = run("compare " + tabled() + " " + record(1.0, 0.0));
-  EXPECT_THAT(r.err, HasSubstr("torque.csv has a 95 % band of +-11.8 N mm on these rows"));
+  EXPECT_THAT(r.err, HasSubstr("torque.csv has a 95 % band of +-11.8 N mm (RMS over these rows"));
   const json document = parsed(run("compare " + tabled() + " " + record(1.0, 0.0) + " --json"));
   EXPECT_THAT(document.dump(), HasSubstr("95 % band of +-11.8 N mm"));
 }

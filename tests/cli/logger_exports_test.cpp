@@ -300,17 +300,17 @@ TEST(LoggerExports, AnExportGivesCoarseSensorsTheTimeThatTheyNeed) {
   const Result found = run(command + coarse.file);
   ASSERT_EQ(found.status, 0) << found.err;
   EXPECT_THAT(found.err, HasSubstr("room_temperature_C did not change for "));
-  EXPECT_THAT(found.err, HasSubstr(", so the program reports it as stuck after"));
+  EXPECT_THAT(found.err, HasSubstr(", so the exported program reports it as stuck after"));
   EXPECT_THAT(found.err, Not(HasSubstr("bearing_temperature_C did not change")));
   EXPECT_THAT(run(command + folder_of_record + "train.csv").err,
-              Not(HasSubstr(", so the program reports it as stuck after")));
+              Not(HasSubstr(", so the exported program reports it as stuck after")));
   // The identified model keeps the time without the record.
   const std::string model = coarse.folder.file("found.toml");
   ASSERT_EQ(run("identify " + record_model + " " + coarse.file + " -o " + model).status, 0);
   EXPECT_THAT(file_text(model), HasSubstr("\n[correction.still_s]"));
   const std::string table = coarse.folder.file("found.csv");
   EXPECT_THAT(run("export " + model + " --format csv -o " + table).err,
-              AllOf(HasSubstr(", so the program reports it as stuck after"),
+              AllOf(HasSubstr(", so the exported program reports it as stuck after"),
                     Not(HasSubstr("bearing_temperature_C did not change"))));
   EXPECT_THAT(run("export " + model + " --format csv --record " + coarse.file).err,
               Not(HasSubstr("instead of 24600 s")));

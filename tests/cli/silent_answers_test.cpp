@@ -113,7 +113,7 @@ TEST_F(SilentAnswers, AFormulaWithoutANumberHasNotConverged) {
             scratch_.write("d.csv", data_text + "1000,500,100\n2000,500,150\n"));
     if (std::string_view(is) == "infinite")
       EXPECT_THAT(compared.err,
-                  HasSubstr("have no prediction and are left out, the first in line 2: " + why));
+                  HasSubstr("rows, which are left out; the first is in line 2: " + why));
     else
       expect_refused(compared, "the model predicts none of the rows");
   }

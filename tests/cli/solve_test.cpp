@@ -125,7 +125,7 @@ TEST_F(Solve, SaysHowFarTheEllipsesStayBelowTheShoulders) {
   EXPECT_EQ(parsed(solve(model_text, "--speed 6000 --axial-load 300 --json"))["shoulder"], nullptr);
   const std::string model = with_shoulders(83.0, 97.0), flags = "--speed 0 --axial-load ";
   const Result text = solve(model, flags + "300");
-  EXPECT_THAT(text.out, HasSubstr("to inner shoulder"));
+  EXPECT_THAT(text.out, HasSubstr("deg to the inner shoulder"));
   EXPECT_THAT(text.out, HasSubstr("permissible axial load at standstill"));
   EXPECT_THAT(text.err, Not(HasSubstr("shoulder")));
   const json shoulder = parsed(solve(model, flags + "300 --json"))["shoulder"];

@@ -96,8 +96,9 @@ TEST(Messages, OfOneKindAtMostThreeArePrinted) {
   for (std::size_t at = 0; (at = r.err.find("warning: ", at)) != std::string::npos; ++at)
     ++warnings;
   EXPECT_EQ(warnings, 4U) << r.err;
-  EXPECT_THAT(r.err, testing::ContainsRegex(
-                         "warning: [0-9]+ more messages of the kind .*; --json lists all"));
+  EXPECT_THAT(r.err,
+              testing::ContainsRegex(
+                  "warning: number of further messages of the kind .*: [0-9]+; --json lists all"));
   EXPECT_GT(parsed(run(compare + " --json"))["beyond_range"].size(), 6U);
 }
 
@@ -244,7 +245,7 @@ TEST(Effects, AreSearchedByTheirTexts) {
   const json all = parsed(run("effects lubricant --json"));
   EXPECT_GT(all["effects"].size(), 3u);
   EXPECT_LT(all["effects"].size(), parsed(run("effects --json"))["effects"].size());
-  expect_refused(run("effects frobnicate"), "unknown effect; raceway effects lists them");
+  expect_refused(run("effects frobnicate"), "unknown effect; raceway effects lists all effects");
 }
 
 TEST(Progress, SaysHowLongItWillTake) {
