@@ -104,10 +104,10 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
   fmt::print("{}",
              table.text(std::max<std::size_t>(terminal_width(), narrowest + (p.global ? 30 : 0))));
   if (!left_out.empty())
-    print_words(fmt::format("numbers with a share below 0.1 % each: {}",
-                            left_out.size() > most_named
-                                ? fmt::format("{} (--all lists them)", left_out.size())
-                                : text::listed(left_out)));
+    print_words(fmt::format(
+        "numbers that each cause less than 0.1 % of the sum of the squared changes: {}",
+        left_out.size() > most_named ? fmt::format("{} (--all lists them)", left_out.size())
+                                     : text::listed(left_out)));
   if (p.global) {
     double alone = 0.0;
     for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;

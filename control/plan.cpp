@@ -300,9 +300,10 @@ class Planner {
       if (form.through != 0.0)
         axis.feedthroughs.push_back({c.name, drive, as_printed(form.through * to_um)});
       note(fmt::format(
-          "channel {}: the polynomials were converted to {} section{} and a feedthrough; these "
-          "give the same result with calls every {:g} s, and are also valid at other intervals",
-          c.name, form.lags.size(), form.lags.size() == 1 ? "" : "s", c.printed->sampling));
+          "channel {}: the polynomials were converted to {} section{}{}; the exported channel "
+          "gives the same result with calls every {:g} s, and is also valid at other intervals",
+          c.name, form.lags.size(), form.lags.size() == 1 ? "" : "s",
+          form.through != 0.0 ? " and a feedthrough" : "", c.printed->sampling));
     } catch (const std::invalid_argument& e) {
       add_equation(c, drive, e.what(), axis);
     }

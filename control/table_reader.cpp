@@ -274,7 +274,7 @@ class TableReader {
         const std::size_t next = t.weights.size() + 1;  // of the triangle, row by row
         const std::size_t size = t.inputs.size();
         if (next > size * (size + 1) / 2)
-          fail(r, "this weight is one too many for the inputs in the rows above");
+          fail(r, "too many weights for the inputs in the rows above");
         const std::size_t column = next - 1 - (size * (size - 1)) / 2;
         if (size == 0 || column >= size ||
             plan_.inputs[t.inputs[column]].column != r.name.substr(of_weight.size()))

@@ -58,8 +58,9 @@ std::string balls_statement(const model::Model& model, const bearing::OperatingP
   using Ball = bearing::BallEquilibrium;
   return fmt::format(
       "with {} balls the torque is {:.2f} times the torque with steel balls at {:.6g} rpm and "
-      "{:.6g} N: centrifugal force of a ball {:.3g} instead of {:.3g} N, load at the outer race "
-      "{:.3g} instead of {:.3g} N, elastic modulus {:.0f} instead of {:.0f} GPa (docs/laws.md)",
+      "{:.6g} N axial load: centrifugal force of a ball {:.3g} instead of {:.3g} N, load at the "
+      "outer race {:.3g} instead of {:.3g} N, elastic modulus {:.0f} instead of {:.0f} GPa "
+      "(docs/laws.md)",
       model.bearing.balls().name, own.torque / with_steel.torque, point.speed / rpm,
       point.axial_load, largest(own, &Ball::centrifugal_force),
       largest(with_steel, &Ball::centrifugal_force), largest(own, &Ball::outer_load),
@@ -84,7 +85,7 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
   if (const auto& c = prediction.contacts; c && c->holding_over_traction > 1.0)
     notes.push_back(fmt::format(
         "the gyroscopic moment needs a friction force of {:.3g} times the contact load, which is "
-        "{:.3g} times the friction of film and asperities, so the balls slip; race_control = "
+        "{:.3g} times the friction force of film and asperities, so the balls slip; race_control = "
         "\"balanced\" gives the correct contact angles and displacement (docs/race-control.md)",
         c->holding_coefficient, c->holding_over_traction));
   const model::BearingLife life = bearing_life(model, point, prediction);

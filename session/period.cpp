@@ -61,7 +61,7 @@ void Period::apply(record::Record& record,
                     (time.back() - time.front()) / 3600.0),
         {.file = record.source, .key = from.empty() ? "--until" : "--from"});
   record.notes.push_back(record::note::left_out(
-      fmt::format("{} of {} readings are in the chosen period and are used", left, all)));
+      fmt::format("the program uses the readings in the chosen period: {} of {}", left, all)));
 }
 
 }  // namespace raceway::session

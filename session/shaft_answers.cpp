@@ -46,10 +46,10 @@ std::string shaft_problem(const model::Model& model, const shaft::ShaftPredictio
     if (f.status() != bearing::SolveStatus::converged) return why_not_converged(model, f);
   switch (prediction.status()) {
     case bearing::SolveStatus::no_equilibrium:
-      return "no_equilibrium: the solver found no shaft position at which the sets are in "
+      return "no_equilibrium: the solver found no shaft position at which the bearing sets are in "
              "equilibrium";
     case bearing::SolveStatus::singular:
-      return "singular: both sets are without load, so the shaft has no defined position";
+      return "singular: both bearing sets are without load, so the shaft has no defined position";
     case bearing::SolveStatus::not_finite:
       return "not_finite: an effect needs data that are missing, such as ring temperatures";
     default:

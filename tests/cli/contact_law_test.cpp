@@ -270,7 +270,7 @@ TEST_F(ContactLaw, HybridAndSteelDifferInTheTableAndItSaysWhy) {
               "ratio");
   EXPECT_THAT(hybrid.err,
               HasSubstr("with silicon-nitride balls the torque is 0.92 times the torque with steel "
-                        "balls at 10000 rpm and 500 N: centrifugal force of a ball"));
+                        "balls at 10000 rpm and 500 N axial load: centrifugal force of a ball"));
   EXPECT_THAT(steel.err, Not(HasSubstr("times the torque with steel balls at")));
 }
 

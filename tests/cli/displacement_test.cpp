@@ -145,8 +145,8 @@ TEST_F(Displacement, SpeedsWithoutBalanceAreNamedAndEndInStatusTwo) {
   EXPECT_EQ(r.status, 2);
   EXPECT_THAT(
       r.err,
-      HasSubstr("2 of 2 speeds have no value; the first is 0 rpm: no_equilibrium: the solver "
-                "found no shaft position at which the sets are in equilibrium"));
+      HasSubstr("2 of 2 speeds have no value; the first is 0 rpm: no_equilibrium: the solver found "
+                "no shaft position at which the bearing sets are in equilibrium"));
   const Result s = raceway("solve", "--speed 3000 --axial-load 900 --json", spring);
   EXPECT_EQ(s.status, 2);
   EXPECT_TRUE(parsed(s)["axial_displacement_um"].is_null());
