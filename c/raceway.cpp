@@ -100,7 +100,7 @@ int put_status(std::span<const bearing::SolveStatus> status, int* out, c::Messag
   for (std::size_t k = 1; k < count.size(); ++k) {
     if (count[k] == 0) continue;
     said.say(record::note::not_converged(
-        fmt::format("{} of {} states have not converged: {}; the first is [{}]", count[k],
+        fmt::format("{} of {} states have not converged: {}; the first has index {}", count[k],
                     status.size(), raceway_status_name(static_cast<int>(k)), first[k])));
     result = RACEWAY_NOT_CONVERGED;
   }

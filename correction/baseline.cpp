@@ -166,9 +166,10 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   }
   if (found.channels.empty()) throw std::invalid_argument("no input varies");
   if (design.y().size() < 3 * design.columns().cols())
-    throw std::invalid_argument(fmt::format("{} readings of {} are too few for {} parameters",
-                                            design.y().size(), model.displacement->words,
-                                            design.columns().cols()));
+    throw std::invalid_argument(
+        fmt::format("{} readings of {} are too few for {} parameters: a fit needs three or more "
+                    "for each parameter",
+                    design.y().size(), model.displacement->words, design.columns().cols()));
   const Regression fit = regress(design.columns(), design.y());
   const Eigen::Index zeros = series.zeros();
   found.offset = fit.coefficients[0] * um;

@@ -92,7 +92,8 @@ class Search {
           *subject, tolerance::for_search(record_), tolerance::usual_width(*record_)));
     if (recorded_->means.list.size() < 3 * subject->free().size())
       throw std::invalid_argument(fmt::format(
-          "{} readings of {} are too few for {} parameters. Rows that are close in time count as "
+          "{} readings of {} are too few for {} parameters: a fit needs three or more for each "
+          "parameter. Rows that are close in time count as "
           "one reading: the record has {} rows over {:.4g} s. Is {} in seconds?",
           recorded_->means.list.size(), model.displacement->words, subject->free().size(),
           record_->rows(), length_of(record_->values(record::time)), record::time.name));

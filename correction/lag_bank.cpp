@@ -122,8 +122,10 @@ class Bank {
     zeros_ = series_.zeros();
     const std::size_t count = inputs_.size() + static_cast<std::size_t>(zeros_);
     if (rows_.size() < 3 * count)
-      throw std::invalid_argument(fmt::format("{} readings of {} are too few for {} parameters",
-                                              rows_.size(), model_.displacement->words, count));
+      throw std::invalid_argument(
+          fmt::format("{} readings of {} are too few for {} parameters: a fit needs three or more "
+                      "for each parameter",
+                      rows_.size(), model_.displacement->words, count));
     x_.setZero(static_cast<Eigen::Index>(rows_.size()), static_cast<Eigen::Index>(count));
     y_.resize(x_.rows());
     for (Eigen::Index k = 0; k < x_.rows(); ++k) {
@@ -172,7 +174,7 @@ class Bank {
       if (s.readings < x_.cols() || (&s != &sums_.back() && s.readings == x_.rows()))
         throw std::invalid_argument(
             "the readings start too late for the fit or end too early for the test of the "
-            "prediction: record readings from start to end");
+            "prediction: take readings over the whole record");
   }
 
   struct Sums {

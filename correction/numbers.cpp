@@ -180,8 +180,9 @@ std::vector<std::string> free_names(const Model& model) {
   known.emplace_back("effects");
   for (const std::string& name : wanted)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw std::invalid_argument(fmt::format("no parameter and no group is called {}; nearest: {}",
-                                              name, record::nearest_names(name, known, 3)));
+      throw std::invalid_argument(
+          fmt::format("no parameter and no group of parameters is called {}; nearest: {}", name,
+                      record::nearest_names(name, known, 3)));
   std::vector<std::string> waiting;  // parameters of effects that are off
   for (const Effect& e : model.effects)
     if (e.off) waiting.push_back(full_id(e) + ".");

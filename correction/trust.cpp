@@ -133,7 +133,8 @@ Trust trust_of(const Model& model) {
     return refused("no part of the record of the fit could be held out for a test");
   if (!e.other_record && e.one_way)
     return refused(
-        "the record of the fit goes from one state to another only once, so no test shows the "
+        "in the record of the fit the displacement changes only once, in one direction, so no test "
+        "shows the "
         "error on another day: record a cool-down as well, or test the model with another record "
         "(identify --validate)");
   if (!e.other_record && slowest.time_constant > e.duration)
@@ -166,7 +167,7 @@ Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                 shown(model, errors.rms), shown(model, uncorrected))};
   Trust trust = trust_of(model);
   if (trust.level == TrustLevel::good && beyond.rows() > 0)
-    trust = {TrustLevel::within_range, fmt::format("the range does not contain {} of the {} rows",
+    trust = {TrustLevel::within_range, fmt::format("{} of the {} rows of this record are outside",
                                                    beyond.rows(), beyond.at_row.size())};
   return trust;
 }

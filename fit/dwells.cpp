@@ -426,7 +426,8 @@ std::string Averaged::statement() const {
   for (const Channel* channel : channels) words.push_back(channel->words);
   std::string text =
       fmt::format("{} rows form {} dwell{}", rows - alone, dwells, dwells == 1 ? "" : "s");
-  if (alone > 0) text += fmt::format(", and {} rows are outside of dwells", alone);
+  if (alone > 0)
+    text += fmt::format(", and {} row{} outside of dwells", alone, alone == 1 ? " is" : "s are");
   text += fmt::format(": the program averages the {} of consecutive rows at equal settings",
                       fmt::join(words, ", "));
   if (split > 0)

@@ -247,7 +247,7 @@ PossibleRows without_impossible_rows(const record::Record& record) {
     const std::span<const double> values = result.record.values(*c.channel);
     for (std::size_t row = 0; row < values.size(); ++row)
       if (values[row] < coldest || values[row] > hottest) rows.push_back(row);
-    take_out(rows, fmt::format("a {} that no machine has", c.channel->words));
+    take_out(rows, fmt::format("an impossible {} (outside -60 to 200 C)", c.channel->words));
   }
   const auto read = std::find_if(record.columns.begin(), record.columns.end(), [](const auto& c) {
     return c.channel->role == record::Role::measured;

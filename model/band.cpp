@@ -16,7 +16,9 @@ constexpr double two_sided = 1.959963984540;  // of a normal law, 95 %
 
 Band::Band(const Model& model) : model_(model) {
   if (!model.covariance)
-    throw std::invalid_argument("the model has no covariance of fitted parameters");
+    throw std::invalid_argument(
+        "the model has no covariance of fitted parameters; raceway calibrate -o writes a model "
+        "with the covariance");
   const std::vector<record::Parameter> known = parameters(model);
   for (std::size_t k = 0; k < model.covariance->names.size(); ++k) {
     const std::string& name = model.covariance->names[k];

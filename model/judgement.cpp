@@ -314,10 +314,10 @@ Findings Judge::findings() const {
     const double torque = table_.value / at.speed;
     Finding beyond = finding_of(
         limits::friction_table, table_, at.speed * N_mm,
-        fmt::format("{} of {} rotating states are outside the friction table {} ({}); for these "
-                    "states, the program uses the value at the edge of the table. The state with "
-                    "the most heat is at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N radial, {:.4g} C; "
-                    "for this state, the program uses {:.4g} N mm",
+        fmt::format("{} of {} calculated points with rotation are outside the friction table {} "
+                    "({}); for these points, the program uses the value at the edge of the table. "
+                    "The point with the most heat is at {}{:.6g} rpm, {:.4g} N axial, {:.4g} N "
+                    "radial, {:.4g} C; for this point, the program uses {:.4g} N mm",
                     table_.points, turning_, model_->table->file, model_->table->range(),
                     table_.place.empty() ? "" : table_.place + ", ", at.speed / rpm, at.axial_load,
                     at.radial_load, celsius(at.temperature), torque / N_mm));

@@ -210,7 +210,7 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
     throw std::invalid_argument(fmt::format("{}: this effect does not change the measured {}", id,
                                             leading_channel().words));
   if (!candidate_of(*d, model_))
-    throw std::invalid_argument("an effect without a size parameter cannot be added");
+    throw std::invalid_argument("add cannot fit an effect that has no parameter for its size");
   effects::Effect effect{.description = d, .values = effects::initial_values(*d)};
   for (std::size_t k = 0; k < effect.values.size(); ++k) {
     const auto [lower, upper] = bounds_of(d->parameters[k], model_);

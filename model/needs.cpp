@@ -153,8 +153,8 @@ std::string refused_by_law(const effects::Description& effect, const Model& mode
         "another base law, because the contact law already includes this effect as {}",
         effect.within_contacts);
   if (effect.within_oil_fraction && model.law_values.back() > 0.0)
-    return "oil_fraction = 0 under [friction], because the contact law already includes the drag "
-           "of the balls";
+    return "oil_fraction = 0 under [friction], because with a larger oil_fraction the contact law "
+           "already includes the drag of the balls";
   return {};
 }
 

@@ -342,7 +342,7 @@ std::string campbell_json(const Arrangement& a, const std::vector<ModesAtSpeed>&
 std::string load_words(const DeflectionResult& r) {
   std::string words = fmt::format("{:.6g} N {}", r.force, r.axial ? "axial" : "radial");
   if (r.axial_force != 0.0) words += fmt::format(", {:.6g} N axial", r.axial_force);
-  if (r.moment != 0.0) words += fmt::format(", {:.6g} N m", r.moment);
+  if (r.moment != 0.0) words += fmt::format(", moment {:.6g} N m", r.moment);
   return words;
 }
 

@@ -142,8 +142,9 @@ class RunRegression {
         b.inputs[c] = inputs_[c].empty() ? unset : inputs_[c][i];
     }
     if (!slow.empty())
-      note("{} samples at standstill or below {:.4g} rpm are not used ({})", slow.size(),
-           rig_.minimum_speed / rpm, places_text(record_, slow));
+      note("{} sample{} at standstill or below {:.4g} rpm {} not used ({})", slow.size(),
+           slow.size() == 1 ? "" : "s", rig_.minimum_speed / rpm, slow.size() == 1 ? "is" : "are",
+           places_text(record_, slow));
     return samples;
   }
 
@@ -202,7 +203,8 @@ class RunRegression {
         kept.push_back(samples[i]);
     }
     if (!rows.empty())
-      note("{} samples are outliers of the speed curve and are not used ({})", rows.size(),
+      note("{} outlier{} of the speed curve {} not used ({})", rows.size(),
+           rows.size() == 1 ? "" : "s", rows.size() == 1 ? "is" : "are",
            places_text(record_, rows));
     summary_.outliers += static_cast<int>(rows.size());
     return kept;
@@ -245,8 +247,9 @@ class RunRegression {
                          averaged(parts[w], parts[w].size()).front(), row});
     }
     if (!driven.empty())
-      note("{} windows are not used, because the speed does not fall in these windows ({})",
-           driven.size(), places_text(record_, driven));
+      note("{} window{} without a fall of the speed {} not used ({})", driven.size(),
+           driven.size() == 1 ? "" : "s", driven.size() == 1 ? "is" : "are",
+           places_text(record_, driven));
     summary_.rows = static_cast<int>(deviations.size());
     if (deviations.empty()) return;
     summary_.torque_std = record::median(deviations);

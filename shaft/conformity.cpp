@@ -43,7 +43,7 @@ ConformityFit fit_conformity(const bearing::Bearing& bearing,
   for (const PairRigidity& c : classes)
     if (!(c.preload > 0.0 && c.printed > 0.0 && std::isfinite(c.preload + c.printed)))
       throw std::invalid_argument(
-          fmt::format("preload class {} with {} N and {} N/um: both must be positive",
+          fmt::format("preload class {}: preload = {} N, rigidity = {} N/um: both must be positive",
                       c.preload_class, c.preload, c.printed / N_per_um));
 
   const auto misfit = [&](double conformity) {

@@ -29,7 +29,8 @@ CoupledNewton::CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling)
   // No term of Π cancels another: what is zero with all ways open is zero always.
   HeatPaths open = paths;
   for (HeatPaths::Link& way : open.links) way.conductance = 1.0;
-  if (!factorise(open, 1.0)) throw std::invalid_argument("a body of the spindle stores no heat");
+  if (!factorise(open, 1.0))
+    throw std::invalid_argument("a part of the spindle has no heat capacity");
   for (Eigen::Index k = 0; k < given_.rows(); ++k)
     if ((given_.row(k).array() != 0.0).any()) given_bodies_.push_back(k);
 }

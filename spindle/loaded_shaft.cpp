@@ -335,7 +335,7 @@ bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i) {
 ShaftOnBearings::ShaftOnBearings(const Beam& beam, ShaftBearings held,
                                  std::span<const double> load_places) {
   if (held.places.size() != (held.sets ? held.sets->bearings().size() : 0))
-    throw std::invalid_argument("positions: give one for each bearing");
+    throw std::invalid_argument("positions: give one position for each bearing");
   balance_ = std::make_unique<ShaftBalance5>(beam, std::move(held), load_places);
 }
 ShaftOnBearings::ShaftOnBearings(ShaftOnBearings&&) noexcept = default;
@@ -393,7 +393,7 @@ std::vector<Spring> bearing_springs(const bearing::Arrangement& arrangement,
                                     std::span<const double> places,
                                     std::span<const bearing::BearingEquilibrium> bearings) {
   if (places.size() != bearings.size())
-    throw std::invalid_argument("positions: give one for each bearing");
+    throw std::invalid_argument("positions: give one position for each bearing");
   std::vector<Spring> springs;
   for (std::size_t i = 0; i < bearings.size(); ++i) {
     const Matrix5 k = bearings[i].stiffness;

@@ -63,7 +63,8 @@ WarmSets::WarmSets(const model::Model& model, const effects::SpindleCondition& c
   feedback_ = model.spindle->preload_feedback ? 1.0 - other : other;
   if (!balance_.mount(model_, steps_))
     throw std::invalid_argument(
-        "arrangement: the bearing sets have no equilibrium at mounting with these values");
+        "arrangement: the bearing sets have no equilibrium at mounting: check the preload and the "
+        "bearing data");
   const auto bearings = arrangement().bearings();
   heat_.resize(bearings.size());
   for (const bearing::MountedBearing& m : bearings)

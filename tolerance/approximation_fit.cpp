@@ -39,7 +39,8 @@ Recorded means_of_record(const fit::Subject& subject, const record::Record& reco
 void require_readings(const Approximation& a, const Recorded& on, const record::Record& record) {
   if (on.means.list.size() < 2 * a.names.size())
     throw std::invalid_argument(
-        fmt::format("{}: {} readings at different minutes are too few for {} free parameters",
+        fmt::format("{}: {} readings at different minutes are too few for {} free parameters: a "
+                    "fit needs two or more for each parameter",
                     record.source, on.means.list.size(), a.names.size()));
 }
 
@@ -260,10 +261,10 @@ verdict::AddResult add_approximation(const fit::Subject& subject, std::span<cons
   result.messages.insert(result.messages.begin(), without.notes.begin(), without.notes.end());
   for (const fit::Candidate* c : chosen)
     if (c->of_reading)
-      result.messages.push_back(
-          record::note::limits(fmt::format("{} only removes a disturbance from this record: it is "
-                                           "not used for another record or in a control",
-                                           c->id)));
+      result.messages.push_back(record::note::limits(
+          fmt::format("{} only removes a disturbance from this record. The program uses this "
+                      "effect neither for another record nor in a machine control",
+                      c->id)));
   const bool within = std::all_of(
       result.channels.begin(), result.channels.end(),
       [](const verdict::ChannelGain& gain) { return gain.rmse_held_out_before <= gain.tolerance; });

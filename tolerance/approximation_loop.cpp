@@ -161,8 +161,8 @@ class Inquiry {
     constexpr std::size_t least = 16, enough = 40;
     if (count < least)
       throw std::invalid_argument(
-          fmt::format("{} readings of {} at {} different minutes: a verdict needs {} or more",
-                      count, words_of_read(), count, least));
+          fmt::format("{} readings of {} at different minutes: a verdict needs {} or more", count,
+                      words_of_read(), least));
     few_readings_ = count < enough;
     if (few_readings_)
       result_.messages.push_back(record::note::limits(fmt::format(
@@ -174,8 +174,9 @@ class Inquiry {
       all_go_one_way = all_go_one_way && goes_one_way(recorded_.means, c);
     if (all_go_one_way)
       throw std::invalid_argument(
-          "this record cannot validate a model: it goes from one state to another only once, so no "
-          "part of it can test a fit to the other part. Record a cool-down as well, or a second "
+          "this record cannot validate a model: the readings change only once, in one direction, "
+          "so no part of the record can test a fit to the other part. Record a cool-down as well, "
+          "or a second "
           "speed profile");
   }
 
@@ -668,10 +669,10 @@ class Inquiry {
     if (!best.shown) explain(best);
     for (const fit::Candidate* c : best.on)
       if (c->of_reading)
-        result_.messages.push_back(
-            record::note::limits(fmt::format("{} only removes a disturbance from this record: it "
-                                             "is not used for another record or in a control",
-                                             c->id)));
+        result_.messages.push_back(record::note::limits(
+            fmt::format("{} only removes a disturbance from this record. The program uses this "
+                        "effect neither for another record nor in a machine control",
+                        c->id)));
   }
 
   /// What the readings are made of, with the best.

@@ -90,17 +90,17 @@ class Addition {
       const auto s = std::find_if(problem_.candidates.begin(), problem_.candidates.end(),
                                   [&](const fit::Screened& c) { return c.id() == id; });
       if (s == problem_.candidates.end())
-        throw std::invalid_argument("an effect without a size parameter cannot be added");
+        throw std::invalid_argument("add cannot fit an effect that has no parameter for its size");
       const auto k = static_cast<std::size_t>(s - problem_.candidates.begin());
       if (!s->not_testable.empty())
         throw std::invalid_argument(fmt::format("{}: {}", id, s->not_testable));
       if (attribution_.visibility(k) < invisible) {
         const std::string levels = problem_.subject->lacks_levels(id, *problem_.record);
         throw std::invalid_argument(
-            levels.empty()
-                ? fmt::format(
-                      "{}: on these data the free parameters of the model have the same effect", id)
-                : fmt::format("{}: needs {}", id, levels));
+            levels.empty() ? fmt::format("{}: the free parameters of the model change these data "
+                                         "in the same way, so the data cannot show this effect",
+                                         id)
+                           : fmt::format("{}: needs {}", id, levels));
       }
       members_.push_back(k);
     }

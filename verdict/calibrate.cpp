@@ -309,8 +309,9 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
             ? fmt::format("these data do not determine {}: the fit ends at its bound, {}, so the "
                           "program keeps it at {}. Check sign and unit of the readings",
                           p.name, carried, held)
-            : fmt::format("these data do not determine {}: the fit ends at {}, where even a change "
-                          "by its whole range is below the noise. The program keeps it at {}",
+            : fmt::format("these data do not determine {}: at the fitted value, {}, its standard "
+                          "error is larger than the range of its bounds, or other parameters "
+                          "change the readings in the same way. The program keeps it at {}",
                           p.name, carried, held),
         {.key = p.name}));
   }
@@ -335,8 +336,8 @@ Calibration calibrate_by_noise(const fit::Subject& subject, const record::Record
   const std::size_t count = result.parameters.size();
   if (static_cast<std::size_t>(observed.size()) < count)
     throw std::invalid_argument(
-        fmt::format("{}: {} rows can be predicted, but {} parameters are free: a fit needs at "
-                    "least one row for each free parameter",
+        fmt::format("{}: number of readings that can be predicted: {}, number of free parameters: "
+                    "{}. A fit needs at least one reading for each free parameter",
                     record.source, observed.size(), count));
   if (!problem.not_predicted.empty())
     result.messages.push_back(

@@ -268,7 +268,8 @@ std::string statement_of(const Comparison& c) {
       "the noise of these data is not known (too few repeated rows, and no std in every row)";
   if (c.judgement == Judgement::structure)
     return fmt::format(
-        "{} is systematic at least in part: neighbours in {} have similar residuals (correlation "
+        "{} is systematic at least in part: readings that are neighbours in {} have similar "
+        "residuals (correlation "
         "{:.2f}, {}), but {}{}.",
         misfit, c.pattern.along->words, c.pattern.correlation, p_value_text(c.pattern.p_value), why,
         place);

@@ -121,7 +121,7 @@ std::string Investigation::data_text(const Set& set) const {
           ? ""
           : fmt::format(" {} fits only with exponents that differ slightly from the catalogue.",
                         joined(bent, "and"));
-  return fmt::format("{} {} would be wrong data, not missing physics: check {} first.",
+  return fmt::format("{} {} would mean wrong data, not missing physics: check {} first.",
                      by_another_law, joined(ids, "and"), joined(data, "and"));
 }
 
@@ -218,7 +218,8 @@ std::string Investigation::base_laws_text() const {
   const Explanation& both = *finding_.set.front();
   return fmt::format(
       "Something is missing ({}). {} together explain the misfit ({}; {}). But the weaker effect "
-      "adds a gain of only {:.0f}, which is too little for a pair. The model needs another base "
+      "adds a gain of only {:.0f}, which is too little to prove two effects. The model needs "
+      "another base "
       "law, or another effect with a similar shape.",
       p_text(result_.p_value), id_of(both), size_text(problem_, both), remains_text(),
       both.least_loss);
@@ -256,9 +257,10 @@ std::string Investigation::unexplained_text() const {
         result_.shape->statement, 100.0 * result_.shape->explained_share);
   std::string pairs;
   if (const auto& weak = search_->weak_pairs(); !weak.empty())
-    pairs = " These pairs could explain the misfit, but are not proved: " +
-            joined(weak.front(), "and") +
-            (weak.size() > 1 ? fmt::format(" and {} more.", weak.size() - 1) : ".");
+    pairs =
+        " These pairs of effects could explain the misfit, but the data do not prove them: " +
+        joined(weak.front(), "and") +
+        (weak.size() > 1 ? fmt::format("; number of other such pairs: {}.", weak.size() - 1) : ".");
   return fmt::format("Something is missing ({}) that no effect of the catalogue explains.{}{}{}",
                      p_text(result_.p_value), nearest_text(), shape, pairs);
 }
@@ -278,10 +280,10 @@ std::string Investigation::nearest_text() const {
   if (near.empty()) return "";
   const ChannelDiagnosis& first = result_.channels.front();
   const double left = rms_of(*near.front()).front();
-  std::string text =
-      fmt::format(" Best candidate: {}; {} {:.0f} % of the misfit and leaves an error of {}",
-                  joined_sets(near), near.size() > 1 ? "the first explains" : "it explains",
-                  100.0 * taken(*near.front()), reading_text(first.channel(), left));
+  std::string text = fmt::format(
+      " Best candidate: {}; {} explains {:.0f} % of the misfit and leaves an error of {}",
+      joined_sets(near), near.size() > 1 ? id_of(*near.front()) : "it",
+      100.0 * taken(*near.front()), reading_text(first.channel(), left));
   const double ratio = left / first.noise.rms;
   if (ratio > 2.0)
     text += fmt::format(

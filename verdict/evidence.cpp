@@ -304,8 +304,9 @@ void leave_out_shapes(Evidence& evidence) {
   for (fit::Screened& s : evidence.problem.candidates)
     if (s.candidate.parameters.size() > 1)
       s.not_testable = fmt::format(
-          "the data have too few rows for the shape of this effect; {} rows or more are needed",
-          fewest_rows);
+          "the data have too few rows to fit the {} parameters of this effect; at least {} rows "
+          "are needed",
+          s.candidate.parameters.size(), std::max(fewest_rows, evidence.problem.base.size() + 12));
   evidence.notes.push_back(record::note::noise(
       fmt::format("{} rows are too few to estimate the noise: diagnose uses the declared standard "
                   "deviations, and tests only single effects with one parameter",

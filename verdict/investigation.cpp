@@ -100,8 +100,8 @@ void Investigation::look() {
     result_.channels[c].rmse_held_out_before = errors[c];
   if (std::isnan(share_of_tolerance_))
     result_.messages.push_back(
-        record::note::limits("these rows have no blocks that can be held out, so the program "
-                             "cannot test the tolerance"));
+        record::note::limits("no block of these rows can be held out, so the program cannot test "
+                             "whether the held-out error is within the tolerance"));
 }
 
 void Investigation::describe_channels() {
@@ -162,11 +162,11 @@ void Investigation::tell_of_runs() {
   // Where levels were measured in two runs it is no plan that lacks anything.
   if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;
   result_.messages.push_back(record::note::plan(
-      fmt::format("the data do not show how much runs differ by chance{}, so an effect of {} looks "
-                  "like a difference between runs and was not tested between runs; measure each "
-                  "level in two runs or more, or all levels within each run",
+      fmt::format("the data do not show how much runs differ by chance{}. So the program does not "
+                  "compare different runs to test an effect of {}. Measure each level in two runs "
+                  "or more, or all levels within each run",
                   nested.empty() ? "" : ", as each run has its own " + nested,
-                  nested.empty() ? "what changes from run to run" : nested)));
+                  nested.empty() ? "an input that changes from run to run" : nested)));
 }
 
 /// Records that do not scatter alike.

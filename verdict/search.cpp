@@ -330,7 +330,7 @@ Finding Search::explain_within_tolerance() {
     if (auto set = good_enough(pairs_, best / as_near); !set.empty())
       return {Finding::Kind::several, std::move(set)};
   }
-  limits_.step(0.85, "looking for a shape");
+  limits_.step(0.85, "fitting a power law to the misfit");
   shape_ = find_unknown_shape(evidence_);
   const double base = share_of_tolerance(evidence_.response, evidence_.base);
   if (!nearest || !(best * best <= most_of_it * base * base)) return {};

@@ -42,10 +42,11 @@ std::string nothing_missing_text(const Diagnosis& d) {
     if (hidden.size() < 3) hidden.push_back(n.id);
   return fmt::format(
       "These data show no missing effect (p = {:.2g}, alarm level 1 %).{}{}", d.p_value,
-      found.empty() ? "" : " These effects would have been found: " + joined(found, "and") + ".",
-      hidden.empty()
-          ? ""
-          : " These effects could not have been found: " + joined(hidden, "and") + ", ...");
+      found.empty() ? ""
+                    : " These effects would have been found, each from the given size on: " +
+                          joined(found, "and") + ".",
+      hidden.empty() ? ""
+                     : " Effects such as " + joined(hidden, "and") + " could not have been found.");
 }
 
 std::string within_tolerance_text(const Diagnosis& d) {

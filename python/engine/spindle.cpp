@@ -319,7 +319,7 @@ auto made(Text SpindleAnswer::*text, const char* missing) {
 
 void bind_spindle(py::module_& module) {
   constexpr const char* of_one_speed =
-      "the end state and its field need a single speed with a steady state";
+      "the end state and its temperature field need a single speed with a steady state";
   py::class_<SpindleAnswer>(module, "SpindleAnswer")
       .def("json", made(&SpindleAnswer::json, ""))
       .def("csv", made(&SpindleAnswer::csv, ""))

@@ -187,7 +187,7 @@ static void a_state_without_balance_leaves_the_others(void) {
   CHECK(isfinite(values[0]) && isnan(values[1]) && isfinite(values[2]) && isnan(values[3]));
   CHECK(status[0] == RACEWAY_STATUS_CONVERGED && status[1] == RACEWAY_STATUS_NO_EQUILIBRIUM);
   CHECK_TEXT(message,
-             "warning: 2 of 4 states have not converged: no_equilibrium; the first is [1]");
+             "warning: 2 of 4 states have not converged: no_equilibrium; the first has index 1");
   CHECK(raceway_predict(model, 4, speed, axial, NULL, NULL, NULL, readings, status, message, 400) ==
         RACEWAY_NOT_CONVERGED);
   CHECK(isfinite(readings[0]) && isnan(readings[3]) && status[3] == RACEWAY_STATUS_NO_EQUILIBRIUM);

@@ -172,8 +172,11 @@ TEST_F(FrictionTable, ARecordBeyondItIsWarnedOf) {
   write_table(model_text, "--speed 0:5000:500 --axial-load 100:900:100 --temperature 20:70:5");
   const Result r = run("compare " + tabled() + " " + record(1.0, 0.0));
   EXPECT_EQ(r.status, 0) << r.err;
-  EXPECT_THAT(r.err, HasSubstr("18 of 45 rotating states are outside the friction table torque.csv "
-                               "(0 to 5000 rpm, 100 to 900 N axial, 0 N radial, 20 to 70 C)"));
+  EXPECT_THAT(
+      r.err,
+      HasSubstr(
+          "18 of 45 calculated points with rotation are outside the friction table torque.csv "
+          "(0 to 5000 rpm, 100 to 900 N axial, 0 N radial, 20 to 70 C)"));
 }
 
 TEST_F(FrictionTable, AModelInAnotherFolderStillFindsIt) {

@@ -12,8 +12,9 @@ using testing::Not;
 
 const std::string exact_record = source_dir() + "/data/corrections/exact/";
 const std::string one_way =
-    "do not use, because the record of the fit goes from one state to another only once, so no "
-    "test shows the error on another day: record a cool-down as well, or test the model with "
+    "do not use, because in the record of the fit the displacement changes only once, in one "
+    "direction, so no test shows the error on another day: record a cool-down as well, or test the "
+    "model with "
     "another record (identify --validate)";
 
 /// Identified on the first hours of a record, into found.toml of a folder.

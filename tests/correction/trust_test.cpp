@@ -43,7 +43,7 @@ TEST(Trust, IsNoneWhereNothingShowsAnotherDay) {
   EXPECT_THAT(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.one_way = true; })))),
       StartsWith(
-          "do not use, because the record of the fit goes from one state to another only once"));
+          "do not use, because in the record of the fit the displacement changes only once"));
   EXPECT_EQ(
       line_of(trust_of(judged_by(evidence_with([](Evidence& e) { e.duration = 0.4 * hour; })))),
       "do not use, because a time constant of front is 0.5 h, longer than the record of 0.4 h");
@@ -87,7 +87,7 @@ TEST(Trust, OnARecordIsNoBetterThanItsReadings) {
   EXPECT_EQ(trust_on(model, {.rms = 1 * um}, 12 * um, inside).level, TrustLevel::good);
   EXPECT_EQ(trust_on(model, {}, unset, inside).level, TrustLevel::good);
   EXPECT_EQ(line_of(trust_on(model, {}, unset, outside)),
-            "only inside its range: the range does not contain 2 of the 100 rows");
+            "only inside its range: 2 of the 100 rows of this record are outside");
   EXPECT_EQ(
       line_of(trust_on(model, {.rms = 12.3 * um}, 14.7 * um, outside)),
       "do not use, because the RMS error on this record is 12.3 um; the RMS displacement without "

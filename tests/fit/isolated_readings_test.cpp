@@ -174,8 +174,9 @@ TEST(ImpossibleRows, ATemperatureThatNoOilHasIsNamedAndLeftOut) {
   record.find(record::temperature)->values[30] = kelvin(372.0);
   const PossibleRows found = without_impossible_rows(record);
   EXPECT_EQ(found.record.rows(), 38u);
-  EXPECT_EQ(found.statements.front(),
-            "2 rows have a temperature that no machine has and are not used, lines 4, 31");
+  EXPECT_EQ(
+      found.statements.front(),
+      "2 rows have an impossible temperature (outside -60 to 200 C) and are not used, lines 4, 31");
 }
 
 /// What a control sets may leap; what has a heat capacity may not.

@@ -60,7 +60,7 @@ lastwarn ("");
 evalc ("[v, ~, s] = raceway_table (model, [0 1000], [0 300]);");  # which prints the warning
 [words, identifier] = lastwarn ();
 assert (identifier, "raceway:status");
-assert (any (strfind (words, "states have not converged: no_equilibrium; the first is [0]")), words);
+assert (any (strfind (words, "states have not converged: no_equilibrium; the first has index 0")), words);
 position = find (strcmp (columns, "axial_displacement_um"));
 assert (isnan (v(1, 1, 1, 1, position)));
 assert (! isnan (v(2, 2, 1, 1, position)));
