@@ -159,7 +159,7 @@ class Bank {
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(x_.cols(), x_.cols());
     Eigen::VectorXd with_y = Eigen::VectorXd::Zero(x_.cols());
     for (int c = 0; c <= cuts; ++c) {
-      step(0.8 * c / cuts, "summing up");
+      step(0.8 * c / cuts, "summing the rows for each fit");
       const double share = c == cuts ? 1.0 : first_cut + (last_cut - first_cut) * c / (cuts - 1.0);
       Eigen::Index until = done;
       while (until < x_.rows() && (c == cuts || time(until) <= share * end)) ++until;
@@ -209,7 +209,7 @@ class Bank {
   void try_strengths() {
     gains_.assign(sums_.size(), {});
     for (const double weight : speed_weights) {
-      step(0.8, "trying strengths");
+      step(0.8, "trying ridge strengths");
       for (const double strength : strengths) {
         StrengthTried t{.strength = strength, .speed_weight = weight, .rms_ahead = 0.0};
         for (std::size_t c = 0; c < sums_.size(); ++c) {

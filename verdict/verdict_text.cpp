@@ -37,7 +37,7 @@ std::string nothing_missing_text(const Diagnosis& d) {
   });
   std::vector<std::string> found, hidden;
   for (std::size_t k = 0; k < easy.size() && k < 3; ++k)
-    found.push_back(fmt::format("{} from {}", easy[k].id, with_unit(easy[k].size, easy[k].unit)));
+    found.push_back(fmt::format("{} ({})", easy[k].id, with_unit(easy[k].size, easy[k].unit)));
   for (const NotTestable& n : d.not_testable)
     if (hidden.size() < 3) hidden.push_back(n.id);
   return fmt::format(

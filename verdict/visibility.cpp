@@ -31,8 +31,9 @@ Eigen::Index clearest_score(const Attribution& attribution, std::size_t candidat
 std::string same_as_base(const fit::Problem& problem, const std::string& id) {
   const std::string levels = problem.subject->lacks_levels(id, *problem.record);
   if (!levels.empty()) return "needs " + levels;
-  return "on these data, " + joined(problem.base, "and") +
-         (problem.base.size() == 1 ? " has" : " together have") + " the same influence";
+  return joined(problem.base, "and") +
+         (problem.base.size() == 1 ? " changes" : " together change") +
+         " these readings in the same way as the effect";
 }
 
 /// Largest share of the readings of a channel that an effect has.
