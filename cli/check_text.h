@@ -19,7 +19,8 @@ void print_settings_hold(record::SettingsHold hold);
 /// Prints the time steps, the noise and the resolutions of a record over time, and a check of
 /// printed transfer functions.
 void print_check(const correction::RecordCheck& check);
-/// Prints the assumptions of a model, one per line: defaults, estimates and marked values.
+/// Prints the assumptions of a model, one per line: defaults, estimates, and values that the file
+/// marks as assumed.
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults);
 
 }  // namespace raceway::cli

@@ -6,8 +6,8 @@
 
 namespace raceway::cli {
 
-/// Returns the errors before and after the found effects: bars for each channel, or one table if
-/// there are many channels. `brief` gives fewer lines and columns.
+/// Returns the errors of the model without and with the effects of the verdict: bars for each
+/// channel, or one table if there are many channels. `brief` gives fewer lines and columns.
 [[nodiscard]] std::string errors_text(const verdict::Diagnosis& d, bool brief);
 
 }  // namespace raceway::cli

@@ -8,7 +8,7 @@
 /// The catalogue of effects as text for a terminal.
 namespace raceway::cli {
 
-/// Prints one line for each effect, even if the effect has several forms.
+/// Prints one line for each effect, even if `list` has separate entries for rig, shaft and spindle.
 void print_effect_list(std::span<const effects::Description> list);
 /// Prints one line for each effect on a displacement over time.
 void print_effect_list(std::span<const correction::EffectCard> cards);

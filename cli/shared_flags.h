@@ -27,7 +27,8 @@ void declare_coolant(CLI::App& command, bool& on, const std::string& help);
 /// Declares `--columns map.toml` and `--drop-nan` for a command that reads measurements.
 void declare(CLI::App& command, session::Reading& reading);
 
-/// Declares `--beside FILE` for a command on records over time.
+/// Declares `--beside FILE` for a command on records over time. FILE is another file of the same
+/// record, such as the temperatures of another logger.
 void declare_beside(CLI::App& command, session::Reading& reading);
 
 /// Declares `--from 20h` and `--until 24h` for a command on records over time.

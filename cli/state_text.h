@@ -14,8 +14,8 @@ namespace raceway::cli {
 /// Prints a bearing at one operating point: balls, stiffness, pressures, friction, life.
 void print_state(const model::Model& model, const bearing::OperatingPoint& point,
                  const session::PointAnswer& answer);
-/// Prints the friction torque, the power loss and the parts of the torque. The two lines after the
-/// friction torque also contain the heat of the inner and the outer ring.
+/// Prints the friction torque, the power loss, and the contributions to the torque on one line
+/// each. The first two of these lines also contain the heat of the inner and the outer ring.
 void print_torque(const model::Model& model, const model::FrictionPrediction& friction,
                   const friction::HeatSplit& heat);
 

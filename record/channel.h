@@ -183,7 +183,7 @@ inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .role = Role::deviation,
                                              .of = "axial_displacement_um"}};
 
-/// Returns the channel with this name in the table; null if there is none.
+/// Returns the channel with this name in `channels`; null if there is none.
 [[nodiscard]] constexpr const Channel* find_channel(std::string_view name) {
   for (const Channel& channel : channels)
     if (channel.name == name) return &channel;

@@ -28,12 +28,13 @@ struct Part {
 /// Interval of rows in which a setting of a time record is valid. Settings are all inputs that are
 /// constant between rows, such as speeds, loads and coolant on or off.
 enum class SettingsHold {
-  /// Valid from its row to the next row; the reading in its row was taken with this setting.
+  /// The setting in a row is valid from this row to the next row. The reading in this row was taken
+  /// with this setting.
   sampled,
-  /// Valid from its row to the next row; the reading in its row was taken just before the setting
-  /// changed.
+  /// The setting in a row is valid from this row to the next row. The reading in this row was taken
+  /// just before the setting changed.
   from_row,
-  until_row,  ///< valid from the previous row to its own row
+  until_row,  ///< the setting in a row is valid from the previous row to this row
 };
 
 /// Measured data: a column for each quantity, a row for each time or operating point. Rows are

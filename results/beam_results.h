@@ -82,8 +82,9 @@ struct DeflectionResult {
   /// Moment in the plane of the radial force, at the position `at` [N m]. A positive moment turns
   /// the shaft like a positive force that acts further forward.
   double moment = 0.0;
-  spindle::SetsAtSpeed sets;   ///< bearing sets without the force
-  spindle::LoadedShaft shaft;  ///< equilibrium under the force; not run if the sets have none
+  spindle::SetsAtSpeed sets;  ///< bearing sets without the force
+  /// Equilibrium under the force; not run if the bearing sets have no equilibrium.
+  spindle::LoadedShaft shaft;
   /// Equilibrium without the force, if a belt bends the shaft or roller bearings support it.
   std::optional<spindle::LoadedShaft> unloaded = {};
   std::vector<std::string> roller_names = {};
@@ -99,7 +100,7 @@ struct DeflectionResult {
   }
 };
 
-/// Returns the loads as text, such as "1000 N radial, -200 N axial, 50 N m".
+/// Returns the loads as text, such as "1000 N radial, -200 N axial, moment 50 N m".
 [[nodiscard]] std::string load_words(const DeflectionResult& result);
 
 [[nodiscard]] std::string deflection_json(const bearing::Arrangement& arrangement,

@@ -16,8 +16,8 @@ namespace raceway::results {
 /// Errors of a correction model on a record that its fit did not use.
 struct Validation {
   std::string data{};             ///< file of the record
-  correction::Metrics metrics{};  ///< errors after subtraction of a constant
-  double uncorrected = unset;     ///< RMS of the readings after subtraction of a constant [m]
+  correction::Metrics metrics{};  ///< errors after subtraction of the mean of each run
+  double uncorrected = unset;     ///< RMS of the readings minus their mean in each run [m]
   std::size_t rows_beyond_range = 0;
 };
 
@@ -44,12 +44,12 @@ struct Corrected {
   correction::InitialState initial_state = correction::InitialState::rest;
   std::vector<double> predicted{};  ///< [m]
   std::vector<correction::Contribution> parts{};
-  /// Errors after subtraction of a constant; no value without readings.
+  /// Errors after subtraction of the mean error of each run; no value without readings.
   correction::Metrics metrics{};
   correction::Beyond beyond{};
   std::vector<double> band{};  ///< half width of the 95 % band in each row [m]; empty if unknown
   double noise = unset;        ///< noise of a single reading [m]
-  /// Share of the readings inside the band, after subtraction of the constant as in `metrics` [1].
+  /// Share of the readings inside the band, after subtraction of the mean error of each run [1].
   /// For this comparison, the band is widened by the noise of the readings.
   double readings_in_band = unset;
   correction::Trust trust{};

@@ -82,7 +82,8 @@ namespace raceway::results {
 
 [[nodiscard]] std::string bearings_json(const std::vector<files::CatalogueBearing>& rows);
 
-/// Return the description of one effect, or `{"effects": [...]}` for a list of effects.
+/// effect_json() returns the description of one effect, and effects_json() returns `{"effects":
+/// [...]}` for a list of effects.
 [[nodiscard]] std::string effect_json(const effects::Description& effect);
 [[nodiscard]] std::string effects_json(std::span<const effects::Description> effects,
                                        std::span<const correction::EffectCard> of_records);

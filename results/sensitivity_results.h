@@ -13,7 +13,7 @@
 /// name.
 namespace raceway::results {
 
-/// Number of the model or of the operating point that was varied.
+/// Datum that was varied: a number of the model or of the operating point.
 struct VariedDatum {
   std::string name;
   double value = unset;
@@ -28,14 +28,14 @@ struct VariedDatum {
 /// Influence of one datum on one prediction, with all other data fixed.
 struct LocalSensitivity {
   double derivative = unset;
-  double derivative_error = unset;   ///< |derivative - difference quotient with step h/2|
+  double derivative_error = unset;   ///< |derivative - difference quotient with half the step|
   double change = unset;             ///< derivative times spread
   double low = unset, high = unset;  ///< predictions at value - spread and at value + spread
   double share = unset;              ///< `change` squared / sum of squared changes of all data [1]
   /// Relative change of the prediction per relative change of the datum [1].
   double elasticity = unset;
   /// `kink` is true if the slopes below and above the value differ. `steps_disagree` is true if the
-  /// finite difference steps h and h/2 give different slopes.
+  /// finite difference step and half of this step give different slopes.
   bool kink = false, steps_disagree = false;
   bool one_sided = false;  ///< true if predictions exist on only one side of the value
 };
@@ -49,7 +49,7 @@ struct PredictionSensitivity {
   std::vector<std::size_t> order = {};  ///< indices into Sensitivity::data, largest |change| first
   /// Sobol' indices of the data in Sensitivity::sampled; empty if not requested.
   std::optional<fit::SobolIndices> global = {};
-  /// sentences on conclusions that the samples do not permit
+  /// Sentences about conclusions that the samples do not permit.
   std::vector<std::string> cannot_tell = {};
 };
 
@@ -68,8 +68,8 @@ struct Sensitivity {
   /// Names of data that were not sampled because the model rejects part of their spread, each with
   /// the message of the model.
   std::vector<std::pair<std::string, std::string>> not_sampled = {};
-  /// Number of evaluations without all predictions, and reason and values of the sampled data in
-  /// the first of them.
+  /// Number of evaluations that do not give all predictions. For the first of these evaluations,
+  /// `why_failed` is the reason and `first_failed` contains the values of the sampled data.
   std::size_t failed = 0;
   std::string why_failed = {};
   std::vector<double> first_failed = {};

@@ -20,7 +20,7 @@ struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
   double speed = unset;  ///< speed of both steady states [rad/s]
   double displacement = unset,
-         inner_ring_rise = unset;  ///< chosen mesh minus other mesh [m]; hottest inner ring [K]
+         inner_ring_rise = unset;  ///< chosen minus other mesh: nose [m] and hottest inner ring [K]
   double front_force = unset;      ///< force of the front set, chosen mesh minus other mesh [N]
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };

@@ -15,7 +15,7 @@ namespace raceway::results {
 enum class StepLaw {
   curve,  ///< table through all points, with K(0) = 0
   power,  ///< K = a P^b, T = c P^d
-  line    ///< straight line, the published law
+  line    ///< straight lines K(P) and T(P), as published [Brecher2021, eq. 8 and 9]
 };
 
 /// Power loss of all bearings of a spindle at one speed.

@@ -37,10 +37,10 @@ struct Superposition {
                                           const std::atomic<bool>* cancelled = nullptr);
 
 /// Returns a four-hour programme of half-hour intervals, at fractions of the speed `fastest`
-/// [rad/s] and at standstill. A correction from single steps has not seen such a sequence.
+/// [rad/s] and at standstill. The fit of a correction to single steps does not use such a sequence.
 [[nodiscard]] record::Record trial_programme(double fastest);
 
-/// Returns text such as "0.42 um rms, 1.9 um at most (after 3.20 h); the displacement varies by
+/// Returns text such as "RMS 0.42 um, largest 1.9 um (after 3.20 h); the displacement varies by
 /// 57.3 um".
 [[nodiscard]] std::string superposition_text(const Superposition& s);
 

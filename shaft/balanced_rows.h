@@ -9,10 +9,10 @@
 
 namespace raceway::shaft {
 
-/// Solves the equilibrium of the sets on a shaft at the rows of a record, repeatedly with different
-/// parameters of one model. Each row stores its equilibrium as the start of its next solve. The
-/// equilibrium is solved again only if the mounted sets, their condition or the inputs of ball
-/// rotation have changed.
+/// Solves the equilibrium of the bearing sets on a shaft at the rows of a record, repeatedly with
+/// different parameters of one model. Each row stores its equilibrium as the start of its next
+/// solve. The equilibrium is solved again only if the mounted sets, the condition of the sets or
+/// the oil properties that determine the ball rotation (model::BallTurning) have changed.
 ///
 /// The axial load of a row is the external load on the shaft. A record without axial load uses the
 /// external load of the model. The recorded preload force at standstill and recorded ring
@@ -33,7 +33,7 @@ class BalancedRows {
     std::size_t balance = 0;  // index into balances_
     bearing::ArrangementCondition condition{};
     model::BallTurning turning{};
-    int version = 0;  // version() of its ShaftBalance when it was solved
+    int version = 0;  // ShaftBalance::version() at the last solve
   };
 
   /// The record must live longer than this object. Throws std::invalid_argument for a model without

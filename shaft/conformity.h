@@ -14,7 +14,8 @@ namespace raceway::shaft {
 struct PairRigidity {
   std::string preload_class;  ///< name of the class, such as "L", "M" or "S"
   double preload = unset;     ///< axial preload force on each bearing [N]
-  double printed = unset;  ///< axial rigidity of the pair from the catalogue, tangent 2 dF/dx [N/m]
+  /// Axial rigidity of the pair in the catalogue: slope of axial force over displacement [N/m].
+  double printed = unset;
   double computed = unset;  ///< axial rigidity with the fitted conformity [N/m]
 
   [[nodiscard]] double deviation() const { return computed / printed - 1.0; }
@@ -29,7 +30,7 @@ struct ConformityFit {
   /// conformity is at a bound.
   double std = unset;
   record::Bound at_bound = record::Bound::none;
-  double rms = unset;  ///< rms of ln(computed/printed) [1]
+  double rms = unset;  ///< RMS of ln(computed/printed) over the preload classes [1]
   std::vector<PairRigidity> classes;
   fit::FitStatus status = fit::FitStatus::not_run;
 };

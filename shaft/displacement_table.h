@@ -25,10 +25,13 @@ struct DisplacementTable {
 /// value that is not finite.
 [[nodiscard]] DisplacementTable make_displacement_table(std::span<const DisplacementPoint> curve);
 
-/// Evaluates the cubic through the table at a speed [rad/s]. Outside the table, the function
-/// returns the displacement of the nearer end, slope 0 and `inside` false. A NaN speed gives NaN.
+/// Evaluates the cubic through the table at a speed ω [rad/s], between the neighbouring points 0
+/// and 1 of the table with displacements u0 and u1 and slopes m0 and m1. Outside the table, the
+/// function returns the displacement of the nearer end, slope 0 and `inside` false. A NaN speed
+/// gives NaN.
 ///
-///   u = (1 + 2t)(1 - t)² u0 + t²(3 - 2t) u1 + h (t(1 - t)² m0 - t²(1 - t) m1),  t = (ω - ω0)/h
+///   u = (1 + 2t)(1 - t)² u0 + t²(3 - 2t) u1 + h (t(1 - t)² m0 - t²(1 - t) m1),  t = (ω - ω0)/h,
+///   h = ω1 - ω0
 [[nodiscard]] KinematicDisplacement evaluate(const DisplacementTable& table, double speed);
 
 }  // namespace raceway::shaft

@@ -26,9 +26,9 @@ struct DisplacementPoint {
 
 /// Bounds of the parameters B and C of the law, in the published units. With B above 1 the
 /// displacement at standstill is not zero. With B below 0 the exponent of the speed falls with the
-/// speed instead of rising. For C n_max below 0.01 (n_max: highest speed) the law is a plain power;
-/// above 100 it is a straight line. These limits are the bounds of C if no bounds are set. A has no
-/// bounds; A is negative for a mirrored layout.
+/// speed instead of rising. For C n_max below 0.01 (n_max: highest speed) the law is a power of the
+/// speed; above 100 it is a straight line. The default bounds of C are therefore 0.01/n_max and
+/// 100/n_max. A has no bounds; A is negative for a mirrored layout.
 struct KinematicLawBounds {
   double lower_B = 0.0, upper_B = 1.0;
   double lower_C = unset, upper_C = unset;  ///< [1/rpm]
@@ -57,7 +57,8 @@ struct KinematicLawFit {
   double speed_of_max_abs = unset;  ///< speed of the largest absolute error [rad/s]
   double largest = unset;           ///< largest absolute displacement [m]
   double scatter = unset;           ///< scatter of neighbouring rows about a smooth curve [m]
-  /// RMS of law minus reading: [1] if `weighted` is true, otherwise [m].
+  /// RMS of law minus reading [m]. If `weighted` is true, each difference is divided by its
+  /// standard deviation [1].
   double misfit = unset;
   double standstill = 0.0;     ///< largest displacement at standstill, where the law is 0 [m]
   int rows = 0;                ///< fitted rows, with a speed above 0
@@ -78,14 +79,14 @@ struct KinematicLawFit {
 /// The weights are equal unless every row has a `std`.
 ///
 /// The law is linear in A, which is eliminated. For each C of a grid, the best B is found on a grid
-/// and then to full accuracy. From each minimum of this profile over C, the solver Ceres optimises
-/// all three parameters. The result with the smallest sum is used. The fit therefore needs no start
-/// value.
+/// and then to full accuracy. From each minimum of the resulting misfit over C, the solver Ceres
+/// optimises all three parameters. The result with the smallest misfit is used. The fit therefore
+/// needs no start value.
 ///
 /// The standard errors come from the linearised problem. Without `std`, the misfit determines the
 /// scale of the standard errors. With `std`, the standard errors are increased if the misfit
-/// exceeds `std`. A computed curve has no scatter; its standard errors are not valid for other
-/// curves.
+/// exceeds `std`. A computed curve has no scatter, so standard errors from such a curve are not
+/// valid for other curves.
 ///
 /// Rows at standstill are not fitted, because the law is zero there, but extend the speed range of
 /// the law to zero. Throws std::invalid_argument for a value that is not finite, a negative speed,

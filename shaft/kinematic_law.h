@@ -19,8 +19,8 @@ namespace raceway::shaft {
 /// Domain:   n >= 0, B <= 1; at standstill u = 0 for B < 1.
 /// Accuracy: rounding. For the quality of the law as a model of a shaft, see docs/kinematic-law.md.
 /// Traps:    n is in rpm. Another unit of n changes A by a factor that depends on n, so the three
-///           parameters cannot be converted to rad/s or 1/s. The exponent rises from 1 - B at
-///           standstill to 1: not to 0, and not to 2 as for centrifugal forces. At high speed u
+///           parameters cannot be converted to rad/s or 1/s. The exponent of n rises from 1 - B at
+///           standstill to 1 at high speed, not to 2 as for centrifugal forces. At high speed u
 ///           becomes A n. The slope at standstill is infinite for 0 < B < 1. The published curve
 ///           has inflection points at 111.28 and 5691.27 rpm (u'' = 0). The slope is smallest at
 ///           111 rpm and largest at 5691 rpm. A multiplies a power of a large number, so the digits

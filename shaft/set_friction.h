@@ -42,8 +42,9 @@ class SetFriction {
   explicit SetFriction(const Model& model);
 
   [[nodiscard]] std::size_t bearings() const { return models_.size(); }
-  /// Returns the model of bearing i, on a rig with as many bearings as the sets have. The sum over
-  /// all bearings therefore includes the drag on the rotor once.
+  /// Returns the model of bearing i. In this model, the rig has as many bearings as the sets, so
+  /// each bearing has an equal share of the drag on the rotor. The sum over all bearings includes
+  /// the drag once.
   [[nodiscard]] const Model& model(std::size_t i) const { return models_[i]; }
   /// Returns the calculation steps of each bearing. The steps contain no effects on the condition
   /// of a bearing, because the equilibrium of the sets already includes these effects.

@@ -40,8 +40,8 @@ class SetTorqueSubject final : public ShaftSubject {
   SetTorqueSubject(const model::Model& model, std::vector<std::string> waiting);
   [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
                                                    std::vector<std::string> waiting) const override;
-  /// Returns the default free parameters of the law. If the record has only one load, a fit can
-  /// hardly separate the load factor of the law from the preload.
+  /// Returns the default free parameters of the friction law, without the preload. If the record
+  /// has only one load, a fit can hardly separate the preload from the load factor of the law.
   [[nodiscard]] std::vector<std::string> usual_free() const override;
 };
 

@@ -22,17 +22,17 @@ class ShaftSubject : public model::ModelSubject {
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns the factors of each row: speed, preload (0 if not recorded) and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Returns a message if the measured displacement is more than 200 times larger or smaller than
-  /// the prediction, or has the opposite sign; otherwise an empty text.
+  /// Returns a message if the readings are nearly proportional to the prediction, but with the
+  /// opposite sign or with a factor above 200 or below 1/200; otherwise an empty text.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
   /// Returns inputs and levels for the next measurements. If the preload does not vary in the
   /// record, the levels include half and twice this preload.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Returns measurements that distinguish the rival explanations: ring temperatures, and runs with
-  /// rising and falling speed, separate heat from speed. Adds the inspection sheet of the bearings
-  /// if a bearing dimension is a rival.
+  /// Returns measurements that distinguish the rival explanations. Ring temperatures and runs with
+  /// rising and falling speed separate effects of heat from effects of speed. The inspection sheet
+  /// of the bearings is in the list if a bearing dimension is one of the explanations.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

@@ -5,7 +5,7 @@
 
 namespace raceway::text {
 
-/// Allowed closed range of a number that the user enters, in the unit of its name.
+/// Allowed range of a number that the user enters, in `unit`. Both limits are allowed.
 struct NumberRange {
   double lower, upper;
   std::string_view unit;

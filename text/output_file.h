@@ -7,8 +7,8 @@
 namespace raceway::text {
 
 /// Behaviour if the output file exists. `replace` overwrites the file. With `refuse`, the error
-/// message names the flag --force, which allows overwriting. With `refuse_naming_replace`, it names
-/// the flag --replace, because --force is a load in some commands.
+/// message names the flag --force, which allows overwriting. With `refuse_naming_replace`, the
+/// message names the flag --replace, for commands in which --force gives a load.
 enum class IfExists { refuse, refuse_naming_replace, replace };
 
 /// Throws InputError if write_text() would fail: for a name of a binary format such as a workbook

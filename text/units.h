@@ -34,8 +34,9 @@ struct Unit {
   Dimension dimension;
   double factor;        ///< SI = factor * value + offset
   double offset = 0.0;  ///< [K] for temperatures
-  /// Other spellings, separated by blanks, in the form that in_short() returns for the text of a
-  /// file.
+  /// Other spellings, separated by blanks. They have no brackets, blanks and product signs, "u" for
+  /// micro, "deg" for a degree sign and "_" for a slash. find_unit() converts a text in the same
+  /// way before the comparison.
   std::string_view spellings = {};
   std::string_view names = {};  ///< further spellings, in lower case; files may also use upper case
 

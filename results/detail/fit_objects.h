@@ -16,7 +16,7 @@
 namespace raceway::results {
 
 /// Returns the errors of one model on a record. The top level describes the first measured channel.
-/// If there are several, the member `channels` describes all.
+/// If the record has several measured channels, the member `channels` describes all of them.
 [[nodiscard]] text::json comparison_object(const std::string& model_file,
                                            const std::vector<const verdict::Comparison*>& channels,
                                            const record::Record& record);
@@ -45,7 +45,8 @@ struct ChannelCount {
 /// Returns the correlation matrix of the parameters as a list of rows.
 [[nodiscard]] text::json correlation_rows(const Eigen::MatrixXd& correlation);
 
-/// Adds the list `channels` with one entry for each measured channel, if there are several.
+/// Adds the list `channels` with one entry for each measured channel, if there are several
+/// channels.
 void add_channels(text::json& document, text::json channels);
 
 /// Returns the file name of a record, or the list of file names of joined records.
@@ -63,7 +64,7 @@ void add_notes(text::json& document, const record::Record& record);
                                          const std::vector<const record::Channel*>& channels);
 
 /// Returns rows_beyond_range, the number of rows outside the range of the fit (null if the model
-/// gives no range), and the list beyond_range with these parts of the record.
+/// gives no range), and the list beyond_range with the parts of the record that contain these rows.
 [[nodiscard]] text::json beyond_object(const correction::Beyond& beyond,
                                        const record::Record& record);
 

@@ -7,10 +7,12 @@
 #include "record/parameter.h"
 #include "record/units.h"
 
-/// Search for fit_kinematic_law(), in the units of the law (rpm, um).
+/// Search for the parameters A, B and C of the law u = A n^(1 - B exp(-C n)) for
+/// fit_kinematic_law(), in the units of the law (rpm, um).
 namespace raceway::shaft {
 
-/// Rows for the fit, by increasing speed: n [rpm], ln n, u [um], and weight [1/um] or [1].
+/// Rows for the fit, by increasing speed: speed n [rpm], ln n, displacement u [um], and weight
+/// 1/std [1/um] or, without standard deviations, 1.
 struct LawRows {
   std::vector<double> n, log_n, u, weight;
 };
@@ -33,7 +35,8 @@ struct LawOptimum {
   fit::FitStatus status = fit::FitStatus::failed;
 };
 
-/// Returns the optimum that a descent reaches from a start; A is eliminated.
+/// Returns the optimum of A, B and C that a descent reaches from the start values of B and C. The
+/// law is linear in A, which is eliminated.
 [[nodiscard]] LawOptimum nearest_optimum(const LawRows& rows, const LawRange& range,
                                          const LawShape& start);
 

@@ -13,8 +13,8 @@ inline constexpr std::string_view model_mark = "#|";
 void append_model(fmt::memory_buffer& out, std::string_view model_text);
 
 /// Appends text as a cell of RFC 4180. The function writes an apostrophe before text that a
-/// spreadsheet would read as a formula, even if the text begins with apostrophes. It writes control
-/// characters as escapes.
+/// spreadsheet would read as a formula ("=1"), and before such text with leading apostrophes
+/// ("'=1"). It writes control characters as escapes.
 void append_text(fmt::memory_buffer& out, std::string_view text);
 
 /// Removes the apostrophe that append_text() wrote, for readers of CSV.
