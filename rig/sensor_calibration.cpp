@@ -109,8 +109,8 @@ class Calibrator {
     const int d = degree.value_or(1);
     if (torques() < d + 1 || count() < d + 2)
       throw std::invalid_argument(
-          fmt::format("{} readings at {} reference torques: a {} needs {} readings at {} torques, "
-                      "so that the scatter of the readings is known",
+          fmt::format("{} readings at {} reference torques: a {} needs at least {} readings at {} "
+                      "torques, so that the scatter of the readings is known",
                       count(), torques(), degree_name(d), d + 2, d + 1));
   }
 

@@ -265,7 +265,8 @@ std::string statement_of(const Comparison& c) {
   if (c.judgement == Judgement::noise)
     return fmt::format("{} agrees with the noise ({}): {}.", misfit, noise, statistic);
   const std::string why =
-      "the noise of these data is not known (too few repeated rows, and no std in every row)";
+      "the noise of these data is not known (too few repeated rows, and not every row has a "
+      "standard deviation)";
   if (c.judgement == Judgement::structure)
     return fmt::format(
         "{} is systematic at least in part: readings that are neighbours in {} have similar "

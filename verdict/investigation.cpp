@@ -240,10 +240,10 @@ void Investigation::describe_base() {
   tell_declared_noise();
   for (const std::string& name : evidence_.idle) {
     const std::string needed = problem_.subject->lacks(name, *problem_.record);
-    tell(record::note::not_identifiable("the readings do not depend on " + name +
-                                            ", so the fit does not change this parameter" +
-                                            (needed.empty() ? "" : ": it needs " + needed),
-                                        {.key = name}));
+    tell(record::note::not_identifiable(
+        "the readings do not depend on " + name + ", so the fit does not change this parameter" +
+            (needed.empty() ? "" : "; " + name + " needs " + needed),
+        {.key = name}));
   }
   for (const std::string& name : problem_.base)
     if (const std::string needed = problem_.subject->lacks(name, *problem_.record); !needed.empty())

@@ -253,8 +253,10 @@ TEST(SensorCalibration, RefusesWhatIsNoCalibration) {
   const auto line = [](double m, std::size_t) { return m; };
   EXPECT_THAT(refusal(readings({3, 3, 3, 3}, line)),
               HasSubstr("all 4 readings are at one reference torque, 3 N m"));
-  EXPECT_THAT(refusal(readings({0, 1}, line)),
-              HasSubstr("2 readings at 2 reference torques: a line needs 3 readings at 2 torques"));
+  EXPECT_THAT(
+      refusal(readings({0, 1}, line)),
+      HasSubstr(
+          "2 readings at 2 reference torques: a line needs at least 3 readings at 2 torques"));
   EXPECT_THAT(refusal(readings({0, 1, 2, 3}, line), 3), HasSubstr("a cubic needs 5 readings"));
   EXPECT_THAT(refusal(readings({0, 1, 2, 3, 4}, line), 4), HasSubstr("must be from 1 to 3"));
   EXPECT_THAT(refusal({}), HasSubstr("no readings"));
