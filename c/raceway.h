@@ -31,8 +31,8 @@
 extern "C" {
 #endif
 
-/// A loaded model: a bearing on a rig, the bearing sets of a shaft, or a spindle. The functions
-/// solve the bearing sets of a spindle like the sets of a shaft.
+/// A loaded model: a bearing on a rig, the bearing sets of a shaft, or a spindle. For a spindle,
+/// the functions solve only the bearing sets, in the same way as for a shaft.
 typedef struct raceway_model raceway_model;
 
 /// Return values of the functions.
@@ -109,8 +109,8 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 /// for a required pointer that is NULL, a number out of range (the message gives its index, counted
 /// from 0), an axial load that neither the call nor the model gives, or more than 1e8 states.
 /// Returns RACEWAY_NOT_CONVERGED if the status of a state is not RACEWAY_STATUS_CONVERGED. All
-/// converged states have their results. If the friction law does not need the balls, a state has a
-/// torque even if the balls have no equilibrium.
+/// converged states have their results. If neither the friction law nor an effect uses ball loads
+/// or angles, the torque of a bearing is computed even if the balls have no equilibrium.
 RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const double* speed_rpm,
                               const double* axial_load_N, const double* radial_load_N,
                               const double* temperature_C, const int* strides, const int* columns,
@@ -138,9 +138,9 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 
 /// Predicts the reading of a rig [N mm]: the friction torque of all its bearings (`bearings` under
 /// [rig]) with the effects of the model on the sensor. The column friction_torque_Nmm of
-/// raceway_solve() is for one bearing, without effects on the sensor. The balls are solved only if
-/// the model needs them. For a model that does not need the balls, the function is several times
-/// faster than raceway_solve().
+/// raceway_solve() is for one bearing, without effects on the sensor. The function solves the
+/// equilibrium of the balls only if the friction law or an effect uses ball loads or angles. For
+/// other models, the function is several times faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` receives
 /// `count` values. `status` receives `count` values or is NULL. The function returns

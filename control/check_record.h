@@ -23,8 +23,8 @@ namespace raceway::control {
 
 /// Returns a synthetic check record within the ranges of the models: varying temperatures, blocks
 /// of speeds and feeds, a coolant that switches on and off, and a gap in time. The record lasts
-/// about twice the longest time constant of the sections. If a model has a transfer function, rows
-/// follow at its sampling interval without a gap.
+/// about twice the longest time constant of the sections. If a model has a transfer function, the
+/// rows have its sampling interval, and there is no gap.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 

@@ -18,9 +18,10 @@
 ///
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
 ///
-/// For inputs that vary linearly between two samples, such as temperatures, the step is exact for a
-/// ramp. A transfer function that is a sum of lags (correction::parallel_form()) becomes sections.
-/// Other transfer functions run as difference equations, which need a fixed interval between calls.
+/// For inputs that vary linearly between two samples, such as temperatures, an additional term
+/// makes the step exact for a ramp. A transfer function that is a sum of lags
+/// (correction::parallel_form()) becomes sections. Other transfer functions run as difference
+/// equations, which need a fixed interval between calls.
 namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -98,7 +99,9 @@ struct ControlSection {
   double gain = unset;  ///< [um] per unit of u
   double time_constant_s = unset;
   bool straight = false;  ///< true: u is linear between samples; false: u is constant
-  double direct = 0.0;    ///< share of gain u that acts at once, because the sensor has a lag [1]
+  /// The section adds (1 - direct) s + direct gain u to the displacement, with its state s.
+  /// `direct` is above 0 only with the effect sensor-lag [1].
+  double direct = 0.0;
   /// Factors on the gain and on the time constant while coolant_on is 0.
   double off_gain = 1.0, off_time_constant = 1.0;
   /// The time constant is multiplied by f = 1/(1 + speed_factor n/10 000 rpm), and the gain by

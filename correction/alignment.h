@@ -16,8 +16,8 @@ enum class Zero {
 
 /// Returns the model for prediction on a record, with the constants that `zero` selects. For a
 /// model with `initial_state = "free"` (a machine that is warm at the start), the offset and the
-/// initial states of the lags are also fitted, to the readings before the first gap of more than 1
-/// h and 20 usual intervals.
+/// initial states of the lags are also fitted. This fit uses the readings before the first gap that
+/// is longer than 1 h and longer than 20 median intervals between readings.
 [[nodiscard]] std::shared_ptr<const CorrectionSubject> aligned(const Model& model,
                                                                const record::Record& record,
                                                                Zero zero);

@@ -24,8 +24,9 @@ struct Band {
   /// is the sum over temperature sensors of (∂y/∂T1)² 2 q²/12, where T1 is the value in the first
   /// row and q is the resolution. The sum leaves out sensors for which quantum_of() finds no
   /// resolution. The factor 2 is for two records: the predicted record and the record of the fit. r
-  /// is the rms of the residual on held-out parts, or of the fit without such parts. e is the
-  /// result of extrapolated(), the change of the prediction beyond the range of the fit.
+  /// is the rms of the residual on held-out parts. If no part was held out, r is the rms of the
+  /// residual of the fit. e is the result of extrapolated(), the change of the prediction beyond
+  /// the range of the fit.
   ///
   /// Domain:   records that start at rest. For a machine that is warm at the start, the initial
   ///           states and the offset are fitted to the record and assumed exact.

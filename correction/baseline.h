@@ -45,7 +45,8 @@ namespace raceway::correction {
 /// Traps:    a one-step prediction starts from readings, so it is good even with wrong poles. If
 ///           readings are close in time or have a coarse resolution, a good one-step prediction
 ///           only means that the next reading resembles the last one. A control has no readings and
-///           needs the simulation. Noise of the readings moves the estimated poles towards 0.
+///           needs a model that is good in simulation. Noise of the readings moves the estimated
+///           poles towards 0.
 struct ArxFit {
   int order = 0;
   Metrics one_step{}, simulated{};
@@ -69,7 +70,7 @@ struct ArxBaseline {
   std::vector<record::Note> messages{};
 
   /// Returns the stable fit with the smallest rms in `second_half`; null if no stable fit has a
-  /// finite rms there.
+  /// finite rms in `second_half`.
   [[nodiscard]] const ArxFit* best() const;
 };
 

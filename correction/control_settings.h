@@ -46,7 +46,7 @@ struct ControlSettings {
   ByColumn<std::string> axis{};
   // Settings of inputs, by their column.
   ByColumn<ControlLimits> plausible{
-      {-40.0, 150.0}, {}};  ///< `all` is for temperatures; other inputs: 10 times the largest value
+      {-40.0, 150.0}, {}};  ///< `all`: temperatures; other inputs: 10 times largest training value
   /// Largest allowed change of an input per second; 0: not checked. `all` applies to temperatures
   /// only.
   ByColumn<double> fastest_per_s{1.0};

@@ -26,7 +26,7 @@ struct EffectCard {
   /// True: changes the response of a channel; false: adds to the displacement.
   bool of_channel = false;
   bool at_channel = false;  ///< true: `Effect::where` names a channel; empty: the first channel
-  /// True if full_id() contains a column: the one that drives the effect, or the one of its window.
+  /// True if full_id() contains a column: the column that drives the effect or limits its window.
   bool by_column = false;
   bool by_window = false;   ///< true: the effect may be limited to a range of an axis position
   bool of_reading = false;  ///< true: valid only for the record of the fit, not for a control

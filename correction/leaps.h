@@ -15,9 +15,10 @@ namespace raceway::correction {
 /// minutes up to the earlier reading, and another line to the readings of about ten minutes from
 /// the later reading on. Each line uses 3 to 20 readings. The gap is the distance between the two
 /// lines at the time halfway between the two readings. Without a jump, the gap is due only to noise
-/// and curvature. A gap is a jump if it exceeds five times the robust standard deviation, 1.48
-/// times the median of all gaps. Gaps within ten minutes of a speed change are ignored, because the
-/// kinematic displacement changes there. Slow changes of any size are not jumps.
+/// and curvature. Gaps within ten minutes of a speed change are ignored, because the kinematic
+/// displacement changes with the speed. A gap is a jump if it exceeds five times the robust
+/// standard deviation of the remaining gaps (1.48 times their median). Slow changes of any size are
+/// not jumps.
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
 

@@ -58,14 +58,14 @@ struct IdentificationDue {
   std::string reason{};
 };
 
-/// Rms errors of three predictions on the readings between the used ones [m]. Readings before the
-/// first used reading of their run are left out. NaN without such readings.
+/// Rms errors of three predictions on the readings between the used readings [m]. Readings before
+/// the first used reading of their run are left out. NaN without such readings.
 struct ErrorBetween {
   std::size_t readings = 0;
   /// Model without learning, aligned with the first used reading of each run.
   double first = unset;
   double zeroed = unset;  ///< model without learning, aligned with the latest used reading
-  double learnt = unset;
+  double learnt = unset;  ///< model with learning
 };
 
 struct Learning {

@@ -157,7 +157,7 @@ struct SeenTogether {
 
 /// Residual of the fitted model.
 struct Left {
-  double rms = unset;               ///< rms on held-out parts, or of the fit without them [m]
+  double rms = unset;  ///< rms on held-out parts; of the fit if no part was held out [m]
   double correlation_time = unset;  ///< correlation time of the residual [s]
 };
 

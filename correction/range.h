@@ -39,10 +39,10 @@ void forget_what_was_seen(Model& model);
 ///
 ///   d = sqrt(zᵀ (R + 0.01 I)^-1 z),   z = (x - mean)/std, R: correlation of the inputs
 ///
-/// This is the distance of [Mahalanobis1936], apart from the term 0.01 I. d grows with the
-/// deviation of an input from its mean, in standard deviations, and if correlated inputs deviate
-/// from their correlation. The term 0.01 I keeps d finite for exactly correlated inputs: if two of
-/// them differ by 0.14 standard deviations, d is 1.
+/// This is the distance of [Mahalanobis1936], apart from the term 0.01 I. d is large if an input is
+/// many standard deviations away from its mean. d is also large if correlated inputs deviate from
+/// their correlation. The term 0.01 I keeps d finite for exactly correlated inputs: if two of them
+/// differ by 0.14 standard deviations, d is 1.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);

@@ -24,10 +24,11 @@ struct RecordCheck {
     TransferFunctionCheck check;
   };
   const Channel* displacement = nullptr;
-  double sampling = unset;             ///< median time between rows [s]
-  double duration = unset;             ///< duration of the longest run [s]
-  std::size_t readings = 0;            ///< number of readings of the displacement
-  fit::Repeatability repeatability{};  ///< scatter of repeated readings within one stop
+  double sampling = unset;   ///< median time between rows [s]
+  double duration = unset;   ///< duration of the longest run [s]
+  std::size_t readings = 0;  ///< number of readings of the displacement
+  /// Scatter of the readings within a stop, a group of readings that are close in time.
+  fit::Repeatability repeatability{};
   /// Upper bound of the standard deviation of the noise, if no reading is repeated and readings are
   /// more than 120 s apart [m]; otherwise NaN.
   double noise_at_most = unset;

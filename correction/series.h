@@ -61,7 +61,7 @@ class Series {
   /// column of the input.
   [[nodiscard]] Values input(const Input& input) const;
   /// Returns the input at the time of the reading in each row [SI], multiplied by the factor of its
-  /// window. The displacement without a lag is proportional to it.
+  /// window. A displacement without lag is proportional to this result.
   [[nodiscard]] Values at_once(const Input& input) const;
   /// Returns the factor of a window on the displacement at the time of the reading in each row [1].
   /// The result is null if the input has no window or `of_input` is set.

@@ -25,7 +25,7 @@ struct Contribution {
 /// coefficients.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
-/// Passes each term that simulate() adds to the offset to `sink`.
+/// Calls `sink` for each term of the displacement of simulate(), except the offset.
 void show_parts(const Model& model, const Series& series, const Sink& sink);
 
 /// Returns the contributions of all channels, effects and the kinematic law, without the offset.

@@ -23,7 +23,7 @@ struct StepResponse {
   std::vector<Part> parts{};
   double at_once = 0.0;               ///< instant displacement [m]
   double sensor_time_constant = 0.0;  ///< time constant of the effect sensor-lag [s]
-  /// Displacement at each sample [m]. Published coefficients have this list instead of `parts`.
+  /// Displacement at each sample [m]. For published coefficients, this list replaces `parts`.
   std::vector<double> sampled{};
   double sampling = unset;  ///< time between samples [s]
   /// Effects that change the response at other speeds, during cooling, or with the coolant off.
@@ -32,9 +32,10 @@ struct StepResponse {
 
 /// Returns the step responses of all channels of a model and of all effects with a lag. The
 /// response of a channel includes the effects on this channel. The step is 1 K, 1 W, 1 m/min or
-/// 1000 rpm. For a delay element, the steps are inputs of the record: the median above zero, the
-/// largest, and the lowest below zero. Responses with published coefficients last half of the
-/// longest run. Effects without a lag and the kinematic law are left out.
+/// 1000 rpm. For a delay element, the steps are inputs of the record: the median of the inputs
+/// above zero, the largest input, and the lowest input below zero. Responses with published
+/// coefficients last half of the longest run. Effects without a lag and the kinematic law are left
+/// out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

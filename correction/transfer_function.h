@@ -31,10 +31,10 @@ struct TransferFunction {
 /// coefficient is not finite, or the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
-/// Returns the result of reduced() with a numerator in um per `unit` [SI] of the input. Numerator
-/// and denominator of the result have the same length. The coefficients are rounded to 15 digits,
-/// which changes the gain by about 1e-9 if the poles are slow. All exported programs use these
-/// rounded coefficients, so their results agree.
+/// Returns the result of reduced() with a numerator in um per unit of the input. `unit` is the SI
+/// value of this unit. Numerator and denominator of the result have the same length. The
+/// coefficients are rounded to 15 digits, which changes the gain by about 1e-9 if the poles are
+/// slow. All exported programs use these rounded coefficients, so their results agree.
 [[nodiscard]] TransferFunction direct_form(const TransferFunction& printed, double unit);
 
 /// Returns the displacement at every sample of the input, from rest and in double precision. The

@@ -12,12 +12,13 @@ struct LoadFactors {
 
 /// Load factors of one bearing under an axial load [N].
 ///
-///   up to 15 deg    function of F_a/(Z D²) from 0.172 to 6.89 N/mm²; outside, the value at the end
+///   0 to 5 deg      values of deep groove bearings, a function of F_a/(Z D²)
+///   10, 15 deg      function of F_a/(Z D²), tabulated from 0.172 to 6.89 N/mm², constant outside
 ///   from 20 deg     function of the contact angle only
-///   between         linear, interpolated in the load first; 0 to 5 deg: deep groove values
 ///
-/// In catalogues, the first column of this table is f0 F_a/C0. Because C0 = f0 Z D² cos α, this
-/// ratio equals F_a/(Z D² cos α), so f0 is not needed.
+/// Between these angles, the factors are linear in the angle. Z is the number of balls, and D is
+/// the ball diameter. Catalogues use the ratio f0 F_a/C0 instead of F_a/(Z D²). Because C0 = f0 Z
+/// D² cos α, both ratios differ only by the factor cos α, at least 0.966 up to 15 deg.
 /// Source:   [ISO281, table 3], not checked against the print. All rows come from a transcript. In
 ///           every row, X + Y e = 1 within 1 % (tested), because P is continuous at e.
 /// Domain:   α0 from 0 to 45 deg, NaN above. The function uses the magnitude of F_a.

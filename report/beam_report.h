@@ -20,7 +20,7 @@ namespace raceway::report {
 
 /// Returns the HTML page with the bending line of the shaft under a force. `tangent` is the bending
 /// line with the bearing stiffness before loading. `stiff` is the bending line with rigid bearings.
-/// Both vectors contain (v, θ) of all nodes [m, rad], or are empty.
+/// Both vectors contain deflection and slope of all nodes [m, rad], or are empty.
 [[nodiscard]] std::string deflection_report(
     const ModelOfPage& model, const bearing::Arrangement& arrangement, const spindle::Beam& beam,
     const std::vector<double>& places, bool warm, const results::DeflectionResult& result,

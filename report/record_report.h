@@ -29,11 +29,11 @@ struct DrawnModel {
   std::vector<double> tolerances{};  ///< for a spindle: tolerance of each measured channel [SI]
 };
 
-/// Returns the HTML page for `results`, the JSON document that `command` prints with `--json`.
-/// Models of one measured channel share its readings. For the first model of each channel, the page
-/// marks the parts of the record that were held out in turn. `facts` lists law, oil and defaults of
-/// spindle models. `changes` contains the differences between each spindle model and the next
-/// model.
+/// Returns the HTML page for `results`, the JSON document that `command` prints with `--json`. If
+/// several models predict one channel, the page contains its readings once. For the first model of
+/// each channel, the page marks the parts of the record that were held out in turn. `facts` lists
+/// law, oil and defaults of spindle models. `changes` contains the differences between each spindle
+/// model and the next model.
 [[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
                                         const record::Record& record,
                                         const std::vector<DrawnModel>& models,

@@ -57,10 +57,10 @@ struct CoastDownTorque {
 /// correlated (filtered signals), the standard deviation is increased by the factor of a
 /// first-order autoregression. Samples that are more than 8 robust standard deviations away from a
 /// robust local parabola are excluded. No window extends over a gap. Dense records are first
-/// averaged in blocks, at most 32 in a window.
+/// averaged in blocks, so that a window contains at most 32 blocks.
 ///
 /// The line number of a row is the line in the middle of its window. The notes state how many
-/// samples were excluded or averaged, and name the first lines.
+/// samples were excluded or averaged, and give the line numbers of the first of these samples.
 /// Domain:   constant inertia, no drive. The function excludes samples before the release
 /// (release.h), samples at standstill or below Rig::minimum_speed, windows in which the shaft
 /// speeds up, and runs with fewer samples than the smallest window. If the shaft is driven up again

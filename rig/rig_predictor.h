@@ -35,7 +35,8 @@ class EnteredBalances {
 };
 
 /// Predicts the friction torque that a rig measures at every row of a record [N m]. If a parameter
-/// changes, only the stages from the first affected stage are repeated.
+/// changes, only the first stage that it affects (model::Stage) and the later stages are computed
+/// again.
 class RigPredictor : public fit::Predictor {
  public:
   /// `entered` may be null. Only the constructor uses it.

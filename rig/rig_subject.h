@@ -24,7 +24,7 @@ class RigSubject : public model::ModelSubject {
   /// radial load, the preload and the ring temperatures if they vary. For cylindrical rollers, the
   /// radial load replaces the axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns the temperature, if the temperature varies in the record.
+  /// Returns the inputs with random errors: the temperature, if it varies in the record.
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
   /// Returns the factors of each row: speed, load and viscosity. The load is the resultant of axial
@@ -36,8 +36,9 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Returns the laws that can replace the law of the model, with ids such as "law:skf".
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Adds missing rows for two parameters of the contact law to ModelSubject::lacks(): mu_boundary
-  /// needs a film ratio below 2, and limiting_traction needs a contact pressure above 1.5 GPa.
+  /// Returns the data that the record lacks, like ModelSubject::lacks(). Two parameters of the
+  /// contact law have their own conditions: mu_boundary needs rows with a film ratio below 2, and
+  /// limiting_traction needs rows with a contact pressure of 1.5 GPa or more.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   /// Returns measurements that would distinguish the rival explanations, such as a new measurement
   /// of the oil viscosity.

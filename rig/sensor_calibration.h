@@ -28,8 +28,8 @@ inline constexpr double sensor_significance = 0.01;
 ///
 ///   F = (Σ n_l (mean_l - V(M_l))² / (L - p)) / (Σ (V - mean_l)² / (N - L))
 ///
-/// N readings were taken at L torques, n_l at M_l. The curve V(M) has p coefficients. Source:
-/// [NISThandbook, 4.4.4.6].
+/// N readings V were taken at L torques: n_l readings with the mean signal mean_l at the torque
+/// M_l. The curve V(M) has p coefficients. Source: [NISThandbook, 4.4.4.6].
 struct LackOfFit {
   double statistic = unset;            ///< F; NaN if the readings allow no test
   double p_value = unset;              ///< [1]

@@ -14,7 +14,7 @@ namespace raceway::rig {
 /// Calibration of a torque sensor: its signal as a function of the torque [V].
 ///
 ///   V(M) = b0 + b1 M + b2 M² + b3 M³   from the lowest to the highest torque of the calibration,
-///   beyond them the tangent at that end
+///   beyond these torques: the tangent at the nearer end
 ///
 /// Source:   definition. The inverse function gives the torque of a reading.
 /// Domain:   V increases or decreases over the whole range, so that turning_torque() is empty.
@@ -52,9 +52,9 @@ struct SensedTorque {
   double torque;  ///< M with V(M) = V or, with a zero, V(M) - V(0) = V - zero [N m]
   double std;     ///< standard deviation, sqrt(scatter²/V'(M)² + common²) [N m]
   /// Standard deviation of the error from the calibration and `TorqueSensor::zero` [N m]: sqrt(gᵀ C
-  /// g + s²) / |V'|. Without `zero`, g = ∂V/∂b at M and s = 0. With `zero`, g is ∂V/∂b at M minus
-  /// ∂V/∂b at 0, and s is the standard deviation of `zero`. All readings of a record share this
-  /// error, and averaging does not reduce it.
+  /// g + s²) / |V'|. C is the covariance of the coefficients b_k. Without `zero`, g = ∂V/∂b at M
+  /// and s = 0. With `zero`, g is ∂V/∂b at M minus ∂V/∂b at 0, and s is the standard deviation of
+  /// `zero`. All readings of a record share this error, and averaging does not reduce it.
   double common;
 };
 

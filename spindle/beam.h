@@ -69,7 +69,7 @@ struct BeamLoad {
 
 struct BeamMesh {
   double element_length = 5 * mm;  ///< largest length of an element [m]
-  int elements = 0;  ///< smallest number of elements of the shaft; if > 0, it replaces the length
+  int elements = 0;  ///< minimum number of elements; if above 0, replaces `element_length`
 };
 
 /// Shaft made of Timoshenko beam elements. The coordinate s increases from the nose to the rear.
@@ -123,8 +123,9 @@ struct Deflection {
   Eigen::VectorXd shape;  ///< (v, θ) of all nodes [m, rad]
 };
 
-/// Solves K q = f for the shaft on springs at the positions `places` [m], which must be nodes. The
-/// result is exact at the nodes.
+/// Solves K q = f for the shaft on springs at the positions `places` [m], which must be nodes. K is
+/// the stiffness matrix with the springs, q contains (v, θ) of all nodes, and f the nodal loads.
+/// The result is exact at the nodes.
 [[nodiscard]] Deflection deflect(const Beam& beam, std::span<const double> places,
                                  std::span<const PlaneSpring> springs,
                                  std::span<const BeamLoad> loads);

@@ -12,7 +12,7 @@ namespace raceway::spindle {
 /// Returns a typical thermal conductance from ring to ring through the lubricant of a rotating ball
 /// bearing [W/K]. Add it to the conductance of the ball contacts.
 ///
-///   G = 1650 Z D²      Z D² [m²]
+///   G = 1650 Z D²      Z balls of diameter D [m]
 ///
 /// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
 ///           program Thermca, evaluated at n d_m = 500 000 mm/min. About a tenth of the result of
@@ -37,8 +37,9 @@ namespace raceway::spindle {
 ///
 ///   G = Z/(R_i + R_o),   R = K(k)/(2 π a) (1/λ_ball + 1/λ_ring) = R(1 N)/Q^(1/3)
 ///
-/// K is the complete elliptic integral of the first kind. Its modulus k, k² = 1 - b²/a², does not
-/// depend on the load. The semi-axis a is proportional to the cube root of the contact load Q.
+/// Z is the number of balls. K is the complete elliptic integral of the first kind. Its modulus k,
+/// k² = 1 - b²/a², does not depend on the load. The semi-axis a is proportional to the cube root of
+/// the contact load Q.
 /// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
 ///           neglected.
 /// Domain:   loads >= 0; the conductance is zero if a ball touches only one race.

@@ -13,8 +13,8 @@ namespace raceway::spindle {
 /// Coupling between the bearings and the cells of the thermal mesh. The vectors s and y contain:
 ///
 ///   felt s    for each bearing, the mean temperatures of inner and outer ring and of the cells
-///             at its two raceways [K]; for each roller bearing also shaft and housing at its
-///             seats; then the elongation between the sets, in um
+///             at its two raceways [K]; for each roller bearing also the temperatures of shaft
+///             and housing at its seats [K]; last the elongation between the sets [um]
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
 /// Friction heat q arises at the raceways. Heat Q flows through the balls from the inner to the
@@ -44,8 +44,8 @@ class BearingCoupling {
   /// felt_offset() returns s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
   [[nodiscard]] const Vector& felt_offset() const { return offset_; }
-  /// For each element of y, the index in s of the cell temperature at the same raceway. Heat enters
-  /// these cells with the weights of their mean temperature.
+  /// For each element of y, the index in s of the mean cell temperature at the same raceway. The
+  /// heat is divided among these cells by the same weights as in their mean temperature.
   [[nodiscard]] const std::vector<Eigen::Index>& given_rows() const { return given_rows_; }
   /// Adds the raceway heat y = `given` to the heat flow into each cell [W].
   void add_given(const Vector& given, Vector& inflow) const;

@@ -23,8 +23,8 @@ struct RoughContact {
 ///
 /// Source:   [Brecher2021, eq. 4], with Ra in m.
 /// Domain:   p/H below about 0.02; the result is zero for a pressure p <= 0.
-/// Accuracy: within 3 % of yovanovich_contact() from 1 to 10 MPa; measured seats differ by a factor
-///           of up to 2.
+/// Accuracy: within 3 % of yovanovich_contact() from 1 to 10 MPa; measured conductances of seats
+///           differ from the formula by a factor of up to 2.
 [[nodiscard]] inline double solid_contact(const RoughContact& c, double pressure) {
   if (!(pressure > 0.0)) return 0.0;
   return std::pow(pressure / c.hardness, 0.93) * c.slope /

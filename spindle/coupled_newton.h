@@ -8,7 +8,8 @@ namespace raceway::spindle {
 enum class NewtonStatus { converged, no_balance, diverged };
 
 /// Solves A T = r + P y(s) with s = F T + s0 for the temperatures T of all cells. BearingCoupling
-/// defines the vectors s and y.
+/// defines s, F, s0 and the bearing heat y. P divides y among the cells, and r is the right-hand
+/// side without bearing heat.
 ///
 /// A = L D Lᵀ is factorised once per time step. Only the bearing heat y(s) is nonlinear, and s and
 /// y have few elements. Newton's method therefore solves only

@@ -71,8 +71,9 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 
 /// Returns the free convection coefficient of a horizontal cylinder [W/(m² K)].
 ///
-///   Nu = (0.60 + 0.387 Ra^(1/6)/(1 + (0.559/Pr)^(9/16))^(8/27))²,   on the diameter
+///   Nu = (0.60 + 0.387 Ra^(1/6)/(1 + (0.559/Pr)^(9/16))^(8/27))²
 ///
+/// The characteristic length of Nu and Ra is the diameter D.
 /// Source:   Churchill and Chu (Int J Heat Mass Transfer 18, 1975, p. 1049).
 /// Domain:   Ra from 1e-5 to 1e12. Without a temperature difference, the result is 0.36 λ/D.
 /// Accuracy: about 10 %. The influence of neighbouring machine parts is larger.
@@ -84,8 +85,9 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 
 /// Returns the free convection coefficient of a vertical wall, for example an end face [W/(m² K)].
 ///
-///   Nu = (0.825 + 0.387 Ra^(1/6)/(1 + (0.492/Pr)^(9/16))^(8/27))²,   on the height
+///   Nu = (0.825 + 0.387 Ra^(1/6)/(1 + (0.492/Pr)^(9/16))^(8/27))²
 ///
+/// The characteristic length of Nu and Ra is the height.
 /// Source:   Churchill and Chu (Int J Heat Mass Transfer 18, 1975, p. 1323).
 /// Domain:   Ra up to 1e12.
 [[nodiscard]] inline double free_plate(double height, double difference, double film_temperature,
@@ -100,6 +102,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///                     kendoush          Nu = 0.6366 (Re Pr)^(1/2)
 ///                     anderson_saunders Nu = 0.1 Re^(2/3)
 ///
+/// The characteristic length of Nu is the diameter D. ν is the kinematic viscosity.
 /// Source:   Becker 1963; Kendoush 1996; Anderson and Saunders 1953.
 /// Domain:   speed >= 0. The result is zero at standstill; turning_shaft() includes free
 ///           convection.
@@ -162,7 +165,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 }
 
 /// Returns the mean Nusselt number of the flow through a channel of length l [1]. Nu and Re are
-/// based on the hydraulic diameter d.
+/// based on the hydraulic diameter d, and ξ is the friction factor.
 ///
 ///   Re <= 2300   (3.66³ + 0.7³ + (1.615 (Re Pr d/l)^(1/3) - 0.7)³)^(1/3)
 ///   Re >= 4000   (ξ/8) Re Pr/(1 + 12.7 (ξ/8)^(1/2) (Pr^(2/3) - 1)) (1 + (d/l)^(2/3)),
@@ -203,8 +206,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// Domain:   Re > 0, 0 < a <= 1, straight and smooth channel.
 /// Accuracy: the factor agrees with tables within 0.1 % in laminar flow, and with Prandtl's law of
 ///           smooth pipes within 1.5 % up to Re = 1e6. A helical channel has a larger factor. Its
-///           secondary flow increases the factor by some tens of percent in turbulent flow, and by
-///           several times as much in laminar flow.
+///           secondary flow increases the factor by some tens of percent in turbulent flow. In
+///           laminar flow, the increase is several times larger.
 [[nodiscard]] inline double channel_friction(double reynolds, double aspect) {
   const auto laminar = [&](double re) {
     const double a = aspect;
@@ -257,9 +260,9 @@ struct Channel {
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));
 }
 
-/// Returns 2 V ρ c [W/K], which gives the heat that a coolant flow V removes if multiplied by mean
-/// minus inlet temperature. The mean temperature lies halfway between inlet and outlet. The result
-/// is zero if the coolant is off.
+/// Returns 2 V ρ c for a coolant flow V [W/K]. Multiply it by the mean minus the inlet temperature
+/// to get the heat that the coolant removes. The mean temperature lies halfway between inlet and
+/// outlet temperature. The result is zero if the coolant is off.
 [[nodiscard]] inline double coolant_conductance(const model::Coolant& c, double temperature,
                                                 bool on) {
   if (!on) return 0.0;

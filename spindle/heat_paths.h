@@ -23,6 +23,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 ///
 ///   C_i dT_i/dt = sum G_ij (T_j - T_i) + sum G_ir (T_r - T_i) + q_i
 ///
+/// C_i is a heat capacity, G a thermal conductance, and q_i the heat of the sources in body i.
 /// After the construction of a solver, conductances may change, but paths must not be added.
 struct HeatPaths {
   struct Link {

@@ -46,7 +46,8 @@ struct LoadedShaft {
   /// Axial displacement of the rear set [m]; NaN without a rear set.
   double rear_displacement = unset;
   double front_force = unset, rear_force = unset;  ///< axial forces of the bearing sets [N]
-  Eigen::VectorXd y, z;                            ///< (v, θ) of all nodes in both planes [m, rad]
+  /// Deflection v and slope θ of all nodes, (v, θ), in the planes of y and z [m, rad].
+  Eigen::VectorXd y, z;
   /// Loads on the inner ring of each bearing, and the equilibrium of its balls with ring
   /// displacement and tangent stiffness. The axis +x of a bearing is the direction in which the
   /// preload presses the inner ring.
@@ -88,10 +89,11 @@ class ShaftOnBearings {
 
 /// Finds the equilibrium of the elastic shaft and the bearings in its sets under one load. Each
 /// bearing has five degrees of freedom. Newton's method solves for the axial positions of shaft and
-/// rear set, and for (v, θ) at bearings and load in two planes. The beam is reduced to these nodes,
-/// and the balls are in equilibrium at every evaluation. The method starts from the equilibrium
-/// under the axial load only. If this start fails, the radial load is increased from zero in steps.
-/// Between the bearing sets, the shaft has the axial stiffness given in the arrangement.
+/// rear set, and for the deflection v and slope θ at bearings and load in two planes. The beam is
+/// reduced to these nodes, and the balls are in equilibrium at every evaluation. The method starts
+/// from the equilibrium under the axial load only. If this start fails, the radial load is
+/// increased from zero in steps. Between the bearing sets, the shaft has the axial stiffness given
+/// in the arrangement.
 ///
 /// Domain:   `places` contains the centres of the bearings, front set first [m]. Each centre must
 ///           be a node of the beam. Throws std::invalid_argument if the number of centres differs

@@ -39,9 +39,10 @@ struct Modes {
 ///   (-ω² M + ω Ω G + K) q = 0,   ω > 0 forward, ω < 0 backward.
 ///
 /// Ω is the speed, and K is the stiffness matrix. Anisotropic springs couple forward and backward
-/// whirl. With w = -i b e^{iωt}, the matrices of both planes remain real and symmetric. Lanczos
-/// iterations solve both problems as B x = (1/ω) A x for the largest |1/ω|, with the positive
-/// definite matrix A = diag(K, M).
+/// whirl. The amplitudes are then a and b with v = a e^{iωt} and w = -i b e^{iωt}, so that the
+/// matrices remain real and symmetric. For both kinds of springs, Lanczos iterations solve the
+/// linear eigenvalue problem B x = (1/ω) A x for the largest |1/ω|. x contains the amplitudes and ω
+/// times the amplitudes. B consists of M and Ω G. A = diag(K, M) is positive definite.
 ///
 /// Domain:   speed >= 0 [rad/s]; springs at nodes of the beam, with principal planes parallel to y
 ///           and z. Throws std::invalid_argument if `count` is below 1 or a spring is not at a

@@ -57,7 +57,8 @@ struct LagAt {
 ///           meaning, and T of the line may become zero.
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< slopes [m/W], [s/W]; offsets [m], [s]
-  PowerLaw gain_power = {}, time_power = {};    ///< NaN if a P is not above 0 or if signs differ
+  /// NaN if a P is not above 0, or if two of the fitted gains or time constants differ in sign.
+  PowerLaw gain_power = {}, time_power = {};
   /// Range of P >= 0 in which the gain line has the sign of the gains and the time line is
   /// positive [W]. `valid_to` may be infinite.
   double valid_from = unset, valid_to = unset;

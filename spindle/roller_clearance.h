@@ -56,8 +56,8 @@ struct OperatingClearance {
 /// Returns the diametral interference on the shaft that gives a wanted mounted clearance, cold and
 /// at standstill [m].
 ///
-/// Domain:   the bearing has the clearance before mounting (ClearanceState::free), which is not
-///           smaller than the wanted clearance. Otherwise the function throws
+/// Domain:   the clearance of the bearing is given before mounting (ClearanceState::free) and is
+///           not smaller than the wanted clearance. Otherwise the function throws
 ///           std::invalid_argument. Friction and smoothing of the seat surfaces are neglected.
 [[nodiscard]] double interference_for(const bearing::RollerBearing& bearing,
                                       const RollerSeats& seats, double mounted_clearance);

@@ -16,10 +16,10 @@ namespace raceway::spindle {
 struct SetsAtSpeed {
   Status status = Status::not_run;  ///< no_equilibrium if the sets or a bearing have no equilibrium
   std::string message = {};
-  /// Includes ring growth by speed and, if warm, by heat.
+  /// Condition of the sets, with the ring growth by speed and, for warm sets, by heat.
   bearing::ArrangementCondition condition = {};
   bearing::ArrangementEquilibrium equilibrium = {};
-  /// Equilibrium with 5x5 stiffness, front set first.
+  /// Equilibrium of each bearing with its 5x5 stiffness matrix, front set first.
   std::vector<bearing::BearingEquilibrium> bearings = {};
   std::vector<double> clearances = {};  ///< diametral clearances of the roller bearings [m]
   std::optional<Moment> moment = {};    ///< steady state of the spindle; empty if cold

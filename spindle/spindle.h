@@ -128,7 +128,7 @@ struct Report {
 /// the rows before the stop.
 struct Run {
   std::vector<Moment> moments = {};    ///< one entry for each row of the programme
-  bool has_end = false;                ///< true if add_end() added the time of an early stop
+  bool has_end = false;                ///< true: add_end() added a moment at an early stop
   std::vector<double> step_ends = {};  ///< end time of each time step [s]
   State end = {};
   /// States at the times `keep` of simulate(), as far as they were reached.
@@ -166,8 +166,8 @@ struct SurfaceState {
   double area = unset;         ///< [m²]
   double conductance = unset;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
   double pressure = unset;     ///< [Pa]; NaN for a surface, and for a joint with given conductance
-  /// Heat that leaves the spindle, flows from the shaft through the air gap to the housing, or
-  /// flows from a clamped ring to its neighbour [W]; NaN for shoulders and collars.
+  /// Heat flow [W]. At a surface: out of the spindle. Through the air gap: from shaft to housing.
+  /// At a clamped ring face: from the ring to its neighbour. NaN for shoulders and collars.
   double heat = unset;
 };
 
@@ -235,9 +235,9 @@ class Simulator {
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
   /// Returns the bearing sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
-  /// Returns the bent shaft of the last call, for which the bearing friction was computed. The
-  /// result is null for a network. It is also null if the shaft has no radial load, no moment and
-  /// no roller bearing.
+  /// Returns the equilibrium of the bent shaft whose bearing loads gave the friction in the last
+  /// call. The result is null for a network. It is also null if the shaft has no radial load, no
+  /// moment and no roller bearing.
   [[nodiscard]] const LoadedShaft* shaft() const;
   /// Returns speed, axial load, ring shifts and elongation of the bearing sets in the last call;
   /// null for a network.

@@ -23,10 +23,10 @@ class SpindleSubject : public model::ModelSubject {
   /// Returns the runs of the record and the time steps of the original model. Fits use these time
   /// steps.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
-  /// Returns a predictor that simulates every run separately from its ambient temperature. If the
-  /// thermometers show that the first run of a record began warm (find_warm_start()), this run
-  /// starts from the warm state. If the displacement was set to zero in this warm state, the
-  /// constant that fits the readings best is subtracted.
+  /// Returns a predictor that simulates every run on its own. A run starts at its ambient
+  /// temperature. If the thermometers show that the first run of a record began warm
+  /// (find_warm_start()), this run starts from the warm state. If the displacement was set to zero
+  /// in this warm state, the constant that fits the readings best is subtracted.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;

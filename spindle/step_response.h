@@ -23,10 +23,12 @@ struct StepResponse {
   std::string load_case = {};  ///< name of an imported load case; empty if simulated
   double speed = unset;        ///< [rad/s]; NaN: only the power is known
   double power_start = unset;  ///< friction loss of all bearings at t = 0 [W]
-  double power_end = unset;    ///< friction loss of all bearings at the end, P in K(P) and T(P) [W]
-  double kinematic = unset;    ///< immediate displacement [m]
-  double end = unset;          ///< displacement at the end minus `kinematic` [m]
-  double front_force = unset;  ///< axial force of the front set at t = 0 [N]
+  /// Friction loss of all bearings at the end [W]: the power P in the laws for gain K(P) and time
+  /// constant T(P).
+  double power_end = unset;
+  double kinematic = unset;      ///< immediate displacement [m]
+  double end = unset;            ///< displacement at the end minus `kinematic` [m]
+  double front_force = unset;    ///< axial force of the front set at t = 0 [N]
   double highest_force = unset;  ///< largest axial force of the front set during the step [N]
   StepFit fit = {};              ///< fit of lags to `displacement`
   Status status = Status::not_run;
@@ -40,8 +42,9 @@ struct StepResponse {
 /// not requested, or if step or cooling did not converge.
 struct CoolDown {
   StepFit fit = {};  ///< fit to the decrease of the displacement
-  /// Time constants at P = 0 for the gains of the step before the cooling [s]. `one` belongs to the
-  /// fit with one lag, `fast` and `slow` belong to the fit with two lags.
+  /// Time constants of the cooling [s], fitted with the gains of the preceding step. They are the
+  /// time constants at the friction loss 0 W. `one` belongs to the fit with one lag, `fast` and
+  /// `slow` belong to the fit with two lags.
   double one = unset, fast = unset, slow = unset;
   [[nodiscard]] bool known() const { return one > 0.0; }
 };

@@ -11,9 +11,9 @@ namespace raceway::spindle {
 ///
 /// The surface temperature follows from the temperature of the outermost cell and the heat flow
 /// through half of this cell. A ring with one cell over the radius therefore also has a temperature
-/// gradient. The stresses do not include bending, axial preload, clamping, ball loads on the
-/// grooves, steps, keys, and restraint by neighbouring slices. `raceways` is the heat that enters
-/// each cell at a raceway [W]. `speed` is in rad/s.
+/// gradient. Bending, axial preload, clamping, ball loads on the grooves, restraint by neighbouring
+/// slices, and stress concentration at steps and keys are neglected. `raceways` is the heat that
+/// enters each cell at a raceway [W]. `speed` is in rad/s.
 [[nodiscard]] std::vector<SectionStress> stresses(const ThermalSystem& system,
                                                   const Vector& temperatures,
                                                   const Vector& raceways, double speed);

@@ -27,11 +27,12 @@ struct Orbit {
 ///   (-Ω² M + (1 + 2 i ζ) K_y) v + i Ω² G w = u Ω²
 ///   (-Ω² M + (1 + 2 i ζ) K_z) w - i Ω² G v = -i u Ω²
 ///
+/// M, G and K are the matrices of find_modes(), Ω is the speed, and ζ is the damping ratio.
 /// Source:   equations of find_modes(). The loss factor 2 ζ of the stiffness gives each mode the
 ///           damping ratio ζ at resonance. Tested with a rigid rotor on springs, whose amplitude is
 ///           u Ω²/(m (ω0² (1 + 2 i ζ) - Ω²)).
 /// Domain:   speed >= 0, damping_ratio > 0. At standstill, the amplitude is 0 and the lag is NaN.
-///           If the equations have no solution, both are NaN.
+///           If the equations have no solution, amplitude and lag are NaN.
 /// Trap:     damping inside a rotating shaft has no effect on unbalance response, because the bent
 ///           shape rotates with the shaft. The damping ratio therefore describes bearings, joints
 ///           and housing, not the shaft.

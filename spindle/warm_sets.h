@@ -77,13 +77,13 @@ class WarmSets {
     const bearing::Vector5& load;
     const bearing::BearingEquilibrium& balls;
   };
-  /// Returns the friction heat of a bearing under the axial load of `sets` or, if not null, under
-  /// the loads of `uneven`.
+  /// Returns the friction heat of a bearing under the loads of `uneven`. If `uneven` is null, the
+  /// bearing has the axial load of `sets`.
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
-  /// Returns the friction heat, interpolated between ball contacts of the warm sets and of the cold
-  /// sets.
+  /// Returns the friction heat by the contact law: the mean of the heat in the warm sets with the
+  /// weight feedback_ and of the heat in the cold sets with the weight 1 - feedback_.
   [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
                                              const bearing::ArrangementEquilibrium& sets,
                                              const UnevenBalls* uneven, BearingHeat heat) const;
@@ -96,11 +96,11 @@ class WarmSets {
   model::Steps steps_, friction_;
   bool has_effects_ = false;  ///< true if effects act on friction
   bool has_conditions_ = false;
-  double feedback_ = 1.0;  ///< weight of the warm forces; the cold forces have the rest [1]
+  double feedback_ = 1.0;  ///< weight of forces in warm sets; in cold sets: 1 - feedback_ [1]
   shaft::ShaftBalance balance_;
   std::vector<model::Model> singles_;  ///< model of each bearing alone, if effects need one
   Inputs inputs_;
-  shaft::ShaftCondition speed_, asked_;  ///< condition at speed; the same with temperatures
+  shaft::ShaftCondition speed_, asked_;  ///< speed_: cold; asked_: with ring temperatures
   bearing::ArrangementEquilibrium cold_, sets_;
   SetsAsked temperatures_;  ///< temperatures of the last solve()
   std::vector<BallConduction> conduction_;

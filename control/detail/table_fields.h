@@ -13,7 +13,7 @@ template <typename Part>
 struct NumberField {
   std::string_view name;
   double Part::*number;
-  std::string_view unit;  ///< "u": unit of the gain of the drive; "input": unit of the input
+  std::string_view unit;  ///< "u": um per unit of the drive u; "input": unit of the input
   bool required = false;  ///< false: optional, with the default of a new Part
   double lowest = -1e30;
   double highest = 1e30;

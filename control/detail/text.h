@@ -42,8 +42,8 @@ struct TableAxis {
 /// supplies the load.
 [[nodiscard]] std::string fixed_load(const ControlPlan& plan, const ControlDrive& power);
 
-/// Returns a hash of the numbers of a plan. An exported program accepts a saved state only if its
-/// stamp is equal.
+/// Returns a hash of the numbers of a plan. An exported program accepts a saved state only if the
+/// state contains the same hash.
 [[nodiscard]] std::uint32_t stamp(const ControlPlan& plan);
 
 /// Returns the header lines of an exported file: raceway version, model file, trust, warnings and

@@ -18,7 +18,7 @@ struct LearntPart {
   std::string name{};   ///< name of the contribution that the gain scales, or channel of the lag
   bool is_lag = false;  ///< true: an additional lag that the model lacks
   double time_constant = unset;  ///< time constant of the lag [s]
-  double gain = unset;  ///< for a lag: ratio of its weight [1] to its response to the input [SI]
+  double gain = unset;           ///< for a lag: `weights` divided by its response [SI]
 };
 
 /// Returns the gains of all contributions of the model and of additional lags. Effects that are

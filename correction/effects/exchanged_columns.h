@@ -6,8 +6,8 @@ namespace raceway::correction {
 
 /// Two temperature columns have exchanged names, because two plugs or two headers were exchanged.
 /// For each pair of temperatures with at least one input of the model, faults() returns the record
-/// with the two columns exchanged. Columns with jumps are left out, and so are pairs whose mean
-/// drives a channel.
+/// with the two columns exchanged. Columns with jumps are left out. A pair is also left out if the
+/// mean of both columns is the input of a channel.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

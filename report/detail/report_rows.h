@@ -50,7 +50,7 @@ class ReportRows {
 
   const record::Record& record_;
   const record::Channel& channel_;
-  std::vector<std::size_t> rows_, place_;  // row of the record by row of the page, and the inverse
+  std::vector<std::size_t> rows_, place_;  // rows_: record row of each page row; place_: inverse
   std::vector<double> std_;
   std::vector<std::string> inputs_;
   text::json models_ = text::json::array();

@@ -12,7 +12,7 @@ struct CurveFit {
   Eigen::VectorXd coefficients{};  ///< coefficients c_k of the scaled powers
   Eigen::VectorXd residuals{};     ///< reading minus polynomial
   Eigen::VectorXd free{};          ///< 1 minus the leverage of each reading, above 0
-  Eigen::MatrixXd inverse{};       ///< (XᵀX)⁻¹
+  Eigen::MatrixXd inverse{};       ///< (XᵀX)⁻¹ with X = `columns`
   double square = 0.0;             ///< sum of squares of the residuals
 
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients.size()) - 1; }

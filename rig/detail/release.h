@@ -45,8 +45,8 @@ struct ReleaseOptions {
 ///           release is within `largest_fall` of the highest speed. A brake, a seal or boundary
 ///           friction at lower speed is not treated as a release. A plateau hidden by noise is
 ///           kept. Such a plateau shifts the first torques by at most a few standard deviations.
-///           Records with more than 1000 samples are averaged first. Then up to three thousandths
-///           of the samples after the release are also excluded.
+///           Records with more than 1000 samples are averaged first. In these records, up to three
+///           thousandths of the samples after the release are also excluded.
 [[nodiscard]] std::size_t samples_before_release(std::span<const Block> samples,
                                                  const ReleaseOptions& options);
 

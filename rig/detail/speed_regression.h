@@ -29,8 +29,8 @@ struct Block {
 /// Least-squares parabola through consecutive blocks, about their mean time.
 struct LocalParabola {
   double time;                     // mean [s]
-  double speed;                    // value at that time [rad/s]
-  double slope;                    // there [rad/s²]
+  double speed;                    // value of the parabola at the mean time [rad/s]
+  double slope;                    // slope of the parabola at the mean time [rad/s²]
   Eigen::VectorXd residual;        // measured value minus parabola [rad/s]
   Eigen::VectorXd slope_gain;      // slope = slope_gain · speeds [1/s]
   Eigen::MatrixXd residual_maker;  // residual = residual_maker · speeds [1]
@@ -45,9 +45,9 @@ struct SpeedNoise {
 [[nodiscard]] LocalParabola local_parabola(std::span<const Block> blocks);
 
 /// Returns true for samples far from a robust local parabola. The run is divided into parts of
-/// about `length` samples. The limit is relative to the standard deviation of a part, or to the
-/// median over all parts if this is larger, because a short part can have a small standard
-/// deviation by chance.
+/// about `length` samples. The limit is proportional to the standard deviation of the part, or to
+/// the median of the standard deviations of all parts if this median is larger. A short part can
+/// have a small standard deviation by chance.
 [[nodiscard]] std::vector<bool> find_outliers(std::span<const Block> samples, std::size_t length);
 
 /// Returns means of about `length` samples each.

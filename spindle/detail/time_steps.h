@@ -20,9 +20,9 @@ class Programme {
   [[nodiscard]] double begin_of(std::size_t row) const {
     return row == 0 ? start_ : rows_[row - 1].time;
   }
-  /// Returns the index after the last row that follows `row` without a jump of the inputs. A jump
-  /// is a change of speed, loads, motor heat or coolant flow, or of a temperature by more than 0.5
-  /// K.
+  /// Returns the index of the first row after `row` at which the inputs jump; the number of rows if
+  /// there is no such row. A jump is a change of speed, loads, motor heat or coolant flow, or of a
+  /// temperature by more than 0.5 K.
   [[nodiscard]] std::size_t jump_after(std::size_t row) const;
   /// Returns the inputs of a step between two times [s]. Ambient, machine and coolant temperatures
   /// are averaged over the step. `row` is the row whose inputs apply at the time `from`.
@@ -50,7 +50,7 @@ class StepSizes {
   [[nodiscard]] bool too_short() const { return next_ < shortest; }
   [[nodiscard]] bool held() const { return !given_.empty(); }
   /// Returns the size of the step that starts at `time` [s]. The step never ends after `end`. If
-  /// less than one step size would remain before `end`, the step is half of the remaining time.
+  /// less than one step size would remain after the step, the step is half of the time until `end`.
   [[nodiscard]] double take(double time, double end);
   /// Chooses the next step size from the size `dt` [s] and the error [K] of a step. Returns false
   /// if the step must be repeated with a smaller size.
