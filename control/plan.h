@@ -28,9 +28,9 @@ inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
 /// An input of the exported program. The control supplies its value at each call.
 struct ControlInput {
-  std::string column{};      ///< name of the column: "front_bearing_temperature_C"
+  std::string column{};      ///< name of the column, such as "front_bearing_temperature_C"
   std::string identifier{};  ///< unique name for languages without hyphens
-  std::string unit{};        ///< unit of the column: "C"
+  std::string unit{};        ///< unit of the column, such as "C"
   bool temperature = false;
   bool by_amount = true;  ///< true: the absolute value is used, as for speeds, feeds and coolant
   /// Range of the input in the training data; NaN if not known. For several models, the range is
@@ -61,7 +61,7 @@ struct ControlTable {
   /// Increasing grid values of each axis, at least one. An axis of load or temperature has exactly
   /// one value if no input supplies the load or temperature.
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
-  std::vector<double> torque_Nmm{};  ///< in the order of the axes; the speed varies fastest
+  std::vector<double> torque_Nmm{};  ///< one value for each grid point; the speed varies fastest
 };
 
 /// Quantity u that drives a part of a correction, computed from the inputs.
@@ -83,7 +83,7 @@ struct ControlDrive {
   double exponent = 1.0;                   ///< exponent of the kind size
   double decay_rpm = unset;                ///< n0 of the kind motor
   double lowest = unset, highest = unset;  ///< range of a power in the training data [W]
-  std::string unit{};                      ///< unit of u: "K"
+  std::string unit{};                      ///< unit of u, such as "K"
   /// Index of the input of the window, the position of a machine axis. The window is a factor: 0
   /// outside `window_from` and `window_to`, 1 between `window_full_from` and `window_full_to`, and
   /// linear between.
@@ -148,7 +148,7 @@ struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
   double scale = 1.0;         ///< factor of y [1]
-  double sampling_s = unset;  ///< equal in all equations of a plan
+  double sampling_s = unset;  ///< sampling interval; equal in all equations of a plan
   std::vector<double> numerator{},
       denominator{};  ///< numerator: [um] per unit of the drive; denominator: [1], of equal length
 };
@@ -164,10 +164,10 @@ struct ControlKinematic {
 
 /// Correction of one displacement, and the output that it moves.
 struct ControlAxis {
-  std::string column{};      ///< column of the displacement: "displacement_z_um"
+  std::string column{};      ///< column of the displacement, such as "displacement_z_um"
   std::string identifier{};  ///< unique name for languages without hyphens
   std::string name{};        ///< name of the model
-  std::string letter{};      ///< machine axis that the output moves: "z"; empty if not given
+  std::string letter{};      ///< machine axis that the output moves, such as "z"; may be empty
   double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
   double unit_um = 1.0;  ///< unit of the output, in um
   bool counts = false;   ///< true: the output is a whole number of `unit_um`

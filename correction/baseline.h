@@ -41,7 +41,8 @@ namespace raceway::correction {
 ///
 ///   y(k) = sum_i a_i y(k-i) + sum_ij b_ij u_j(k-i) + c,   i = 1..n of y, 0..n of u
 ///
-/// Source:   least squares of the one-step prediction [Ljung1999, sec. 4.2].
+/// Source:   least squares of the one-step prediction (Ljung, System Identification, 2nd ed. 1999,
+///           sec. 4.2).
 /// Traps:    a one-step prediction starts from readings, so it is good even with wrong poles. If
 ///           readings are close in time or have a coarse resolution, a good one-step prediction
 ///           only means that the next reading resembles the last one. A control has no readings and

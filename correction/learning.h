@@ -36,7 +36,7 @@ struct OfferedReading {
   double reading = unset, predicted = unset;
   double std = unset;   ///< expected standard deviation of reading minus prediction [m]
   bool learnt = false;  ///< true: used for learning; false: rejected as too far from the prediction
-  bool zeroed = false;  ///< true: this reading reset the unknown zero
+  bool zeroed = false;  ///< true: the zero was reset with this reading
   /// Time from this reading until the standard deviation of the prediction exceeds the tolerance
   /// [s]; NaN if it does not happen before the next used reading.
   double good_for = unset;

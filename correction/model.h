@@ -65,7 +65,7 @@ struct Input {
   /// Friction table of a power input. The power is the torque from the table times the speed.
   std::shared_ptr<const FrictionTable> table{};
   TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other axes of `table`
-  Interval within{};                                           ///< limits that clip the power [W]
+  Interval within{};  ///< range to which the power is limited [W]
   std::optional<Window> window{};
   std::shared_ptr<const OwnEffect> formula{};  ///< user-defined function of columns
   std::vector<double> formula_values{};

@@ -66,8 +66,8 @@ struct Beyond {
     double lower = unset, upper = unset;
     /// Number of rows outside the range, and the first of these rows.
     std::size_t rows = 0, first = 0;
-    double value = unset;     ///< value in the row `first`
-    double farthest = unset;  ///< value of the row farthest outside the range
+    double value = unset;     ///< input, or distance d, in the row `first` [SI]
+    double farthest = unset;  ///< input, or distance d, farthest outside the range [SI]
     [[nodiscard]] bool together() const { return name.empty(); }
   };
   std::vector<Part> parts{};   ///< exceeded ranges, the joint range last

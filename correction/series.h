@@ -111,7 +111,7 @@ class Series {
   std::vector<int> zero_;
   int zeros_ = 1;
   mutable std::mutex mutex_;
-  mutable std::vector<std::string> inputs_;  // key of the input with each id
+  mutable std::vector<std::string> inputs_;  // key of each input; its index is the id
   mutable std::map<Key, Values> kept_;
 };
 

@@ -13,7 +13,7 @@ namespace raceway::correction {
 /// without one.
 struct DrivenShare {
   Input input{};
-  double gain = 0.0;             ///< [um] per Input::unit()
+  double gain = 0.0;             ///< [um] per unit of the input, Input::unit()
   double time_constant = unset;  ///< [s]; NaN: no lag
 };
 

@@ -14,7 +14,8 @@ namespace raceway::correction {
 ///
 ///   y(k) = sum a(i) u(k-i) - sum b(i) y(k-i),   b(0) = 1
 ///
-/// Source:   [Transfer2022, eq. 1], [S3]; a is in um/K, although um/(s K) is printed; here [m/K].
+/// Source:   [Transfer2022, eq. 1], see docs/papers.md. The paper prints um/(s K) as the unit of a,
+///           but the numbers are in um/K. This struct stores a in m/K.
 /// Traps:    slow poles are so close to 1 that the last printed digits decide gain and stability.
 ///           With a sampling time of 1 s and time constants of 5400 and 900 s, the coefficients of
 ///           the denominator have a sum of only 2e-7. The program therefore reads, checks and runs

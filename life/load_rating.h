@@ -11,9 +11,9 @@ namespace raceway::life {
 ///
 /// Source:   [ISO281, table 2], from two transcripts that agree, not checked against the print.
 /// Domain:   γ from 0.01 to 0.40; NaN outside.
-/// Trap:     the factor is valid for grooves with f_i <= 0.52, f_o <= 0.53. Grooves with smaller f
-///           do not raise the rating. Grooves with larger f lower the true rating; for these, the
-///           standard refers to ISO/TR 1281-1.
+/// Trap:     the factor is valid for the conformities f_i <= 0.52 and f_o <= 0.53. Smaller
+///           conformities do not raise the rating. Larger conformities lower the true rating; for
+///           these, the standard refers to ISO/TR 1281-1.
 [[nodiscard]] double rating_factor(double gamma);
 
 /// Dynamic radial load rating of one row of balls [N]: 90 % of bearings survive a million

@@ -10,6 +10,7 @@ namespace raceway::life {
 ///   Q_ci = C/(0.407 Z cos α) (1 + T^(10/3))^0.3,   Q_ce = C/(0.389 Z cos α) (1 + T^(-10/3))^0.3
 ///   T = 1.044 ((1 - γ)/(1 + γ))^1.72 (f_i (2 f_o - 1)/(f_o (2 f_i - 1)))^0.41,  γ = D cos α/d_m
 ///
+/// α is the nominal contact angle. f_i and f_o are the conformities of inner and outer ring.
 /// Source:   [ISO16281, eqs. 1, 2], as two other programs implement them, not checked against the
 ///           print. The exponent of cos α is 1 here; one of the programs has 0.7, which matters
 ///           only if α is not 0.

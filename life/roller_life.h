@@ -13,8 +13,8 @@ namespace raceway::life {
 ///         %.
 [[nodiscard]] double roller_rating_factor(double diameter_ratio);
 
-/// Dynamic load rating C = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27) [N], with L and D in mm. Source:
-/// [ISO281], from memory.
+/// Dynamic load rating C = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27) [N], with the effective length L and
+/// the diameter D of the Z rollers in mm. Source: [ISO281], from memory.
 /// Accuracy: the code agrees with the formula to rounding error. Makers define the effective length
 ///           differently, so the load rating C of makers differs.
 [[nodiscard]] double dynamic_load_rating(const bearing::RollerGeometry& geometry);

@@ -19,10 +19,10 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the columns of the saturated regression: the torque times a cubic polynomial in ln
-  /// speed, ln axial load and temperature with interactions. Quadratic terms are added for the
-  /// radial load, the preload and the ring temperatures if they vary. For cylindrical rollers, the
-  /// radial load replaces the axial load.
+  /// Returns the saturated regression, whose residuals are noise. Each term is the torque times a
+  /// term of a cubic polynomial in ln speed, ln axial load and temperature. Radial load, preload
+  /// and ring temperatures add quadratic terms if they vary. For cylindrical rollers, the radial
+  /// load replaces the axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns the inputs with random errors: the temperature, if it varies in the record.
   [[nodiscard]] std::vector<const record::Channel*> scattering(

@@ -59,7 +59,8 @@ struct SensorCalibration {
   double off_line = unset;
   /// Largest distance of the mean signal at one torque from the curve [V].
   double off_curve = unset;
-  /// p-value of all higher terms up to the third degree [1]; NaN if no higher term can be tested.
+  /// p-value of the terms above the fitted degree, up to the third [1]; NaN if no such term can be
+  /// tested.
   double higher_terms_p_value = unset;
   LackOfFit lack_of_fit{};
   Hysteresis hysteresis{};

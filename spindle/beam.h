@@ -14,7 +14,7 @@ namespace raceway::spindle {
 ///
 ///   κ = 6 (1 + ν)(1 + m²)² / ((7 + 6 ν)(1 + m²)² + (20 + 12 ν) m²)
 ///
-/// Source: [Cowper1966]. Domain: 0 <= m < 1.
+/// Source: Cowper (J Appl Mech 33, 1966, p. 335). Domain: 0 <= m < 1.
 [[nodiscard]] double shear_coefficient(double diameter_ratio, double poissons_ratio);
 
 /// Section, material and length of one beam element.

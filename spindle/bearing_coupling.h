@@ -88,12 +88,12 @@ class BearingCoupling {
   std::vector<Eigen::Index> given_rows_;
   std::vector<Shares> given_;                          // cells of each raceway
   std::vector<double> inner_raceway_, outer_raceway_;  // S for each bearing [W/K]
-  std::vector<double> lubricant_;                      // for each bearing [W/K]
+  std::vector<double> lubricant_;  // conductance of the lubricant in each bearing [W/K]
   double factor_;
   std::vector<ShaftLoad> loads_;
   std::optional<ShaftOnBearings> shaft_;  // created at first use
   std::optional<LoadedShaft> bent_;
-  double bent_rest_ = 0.0;  // part of the position from the belt at standstill [m]
+  double bent_rest_ = 0.0;  // change of the position by the belt at standstill [m]
 };
 
 }  // namespace raceway::spindle

@@ -55,7 +55,7 @@ class ConductanceSolver {
     Eigen::Index first, second, off;
   };
   Eigen::PermutationMatrix<Eigen::Dynamic> order_;
-  SparseMatrix matrix_;  // the upper half, in the order of elimination
+  SparseMatrix matrix_;  // upper half of A, in the order of elimination
   std::vector<Eigen::Index> diagonal_;
   std::vector<LinkPlaces> links_;
   Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt_;

@@ -285,6 +285,7 @@ struct ChannelFlow {
 ///
 ///   Δp = ξ (l/d_h) ρ v²/2;   throttle  Δp = ρ/2 (V/(0.61 A))²
 ///
+/// ξ is channel_friction(), V the flow, v the mean velocity, and A the area of the orifice.
 /// Source:   Darcy and Weisbach. The factor 0.61 is within 2 % of ISO 5167 for a sharp-edged
 ///           orifice that is much smaller than the pipe.
 /// Domain:   flow > 0. Bends, fittings and hoses are neglected.
@@ -324,6 +325,7 @@ struct ChannelFlow {
 ///
 ///   1/ε = 1/ε_i + (r_i/r_o)(1/ε_o - 1)
 ///
+/// ε is the effective emissivity for radiation(). i is the inner and o the outer cylinder.
 /// Domain:   emissivities above 0.
 [[nodiscard]] inline double radiation_of_gap(double inner_radius, double outer_radius,
                                              double inner_emissivity, double outer_emissivity,

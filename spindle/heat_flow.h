@@ -22,11 +22,12 @@ class HeatFlow {
   /// Result of one time step.
   struct Step {
     Status status = Status::not_run;
-    Vector rate_before, rate_after;  ///< dT/dt [K/s]
+    Vector rate_before, rate_after;  ///< dT/dt at the start and the end of the step [K/s]
     double error = 0.0;  ///< largest estimated temperature error of a body [K]; 0 if not requested
     /// |stored - supplied heat| divided by the sum of all heat flows [1].
     double energy_error = unset;
-    std::array<double, reservoirs> out_before{}, out_after{};  ///< [W]
+    /// Heat flow to each reservoir at the start and the end of the step [W].
+    std::array<double, reservoirs> out_before{}, out_after{};
   };
 
   /// Sets all bodies to one temperature [K]. Bodies of a network with fixed temperature keep their

@@ -32,8 +32,8 @@ using Shares = std::vector<Share>;
 struct BearingPlace {
   double position = unset, width = unset;  ///< [m]
   double seat_bore = unset, seat = unset;  ///< radius of the shaft bore and of the shaft seat [m]
-  double inner_shoulder = unset, outer_shoulder = unset;  ///< radii [m]
-  double housing_seat = unset, housing_outer = unset;     ///< radii [m]
+  double inner_shoulder = unset, outer_shoulder = unset;  ///< shoulder radii [m]
+  double housing_seat = unset, housing_outer = unset;     ///< housing radii [m]
   /// diametral fit on the shaft and in the housing, cold and at standstill [m]
   double inner_interference = unset, outer_clearance = unset;
   Joints inner_seat, outer_seat;
@@ -57,7 +57,7 @@ struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;                  ///< between spacers and inner rings without clamping force
+  Joints clamped;                  ///< spacer to inner ring, if no clamping force is given
   std::vector<ClampedFace> faces;  ///< side faces of rings with clamping force
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;

@@ -35,9 +35,10 @@ struct RoundPart {
 ///             σθ = c (a² + b² + a² b²/r² - (1 + 2ν)/(3 - 2ν) r²)
 ///             σz = ρ ω² ν/(2 (1 - ν)) ((a² + b²)/2 - r²)
 ///
-/// a and b are the radii of bore and outer surface, with the pressures p_a and p_b. The three
-/// stress fields are added. The sum is exact, because an axial stress without resultant does not
-/// change the radial growth in press_fit().
+/// a and b are the radii of bore and outer surface, with the pressures p_a and p_b. T is the
+/// temperature, E, ν, α and ρ are material data, and ω is the speed. The three stress fields are
+/// added. The sum is exact, because an axial stress without resultant does not change the radial
+/// growth in press_fit().
 /// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
 ///           (fit), the rotating disc in plane strain (rotation).
 /// Domain:   sections several wall thicknesses away from ends, steps and grooves of the part.

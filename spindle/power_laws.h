@@ -21,7 +21,7 @@ struct StraightLine {
 struct PowerLaw {
   double factor = unset, exponent = unset;
   double exponent_std = unset;
-  double rms = unset;  ///< RMS of residual divided by value [1]
+  double rms = unset;  ///< RMS of the relative residuals [1]
   [[nodiscard]] double operator()(double power) const;
 };
 

@@ -59,15 +59,16 @@ struct BearingState {
   double radial_force = unset;  ///< [N]
   double clearance = unset;     ///< diametral clearance [m]; negative: preload; NaN: ball bearing
   double power = unset;         ///< friction loss of the bearing [W]
-  double power_band = 0.0;  ///< half width of the 95 % band of `power` from a friction table [W]
+  /// Half width of the 95 % band of `power` [W]; 0 unless the friction law is a table with a band.
+  double power_band = 0.0;
 };
 
 /// Heat balance of the spindle [W]. Heat to coolant, air and machine is positive if it leaves the
 /// spindle.
 struct HeatBalance {
   double friction = 0.0;  ///< friction of all bearings
-  /// Half width of the 95 % band of `friction` from a friction table. The errors of the bearings
-  /// are assumed to be fully correlated.
+  /// Half width of the 95 % band of `friction`; 0 unless the friction law is a table with a band.
+  /// The errors of the bearings are assumed to be fully correlated.
   double friction_band = 0.0;
   double drive = 0.0;  ///< heat of all sources except friction
   double coolant = 0.0, air = 0.0, machine = 0.0;

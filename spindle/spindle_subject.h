@@ -20,8 +20,8 @@ class SpindleSubject : public model::ModelSubject {
   [[nodiscard]] bool has_memory() const override { return true; }
   [[nodiscard]] bool approximates() const override { return true; }
   [[nodiscard]] bool is_costly() const override { return true; }
-  /// Returns the runs of the record and the time steps of the original model. Fits use these time
-  /// steps.
+  /// Returns the runs of the record, and the time steps of a simulation with the values of the
+  /// model file. Fits use these time steps for all parameter values.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   /// Returns a predictor that simulates every run on its own. A run starts at its ambient
   /// temperature. If the thermometers show that the first run of a record began warm

@@ -99,12 +99,12 @@ class ThermalSystem {
   std::vector<Group> inner_seats_, outer_seats_;
   std::vector<SeatsOfBearing> seats_;
   Group shoulders_, collars_, flange_;
-  std::vector<Group> faces_;  ///< in the order of Layout::faces
+  std::vector<Group> faces_;  ///< one group for each face in Layout::faces
   Group housing_, ends_, nose_, rear_, gap_;
   std::vector<Circuit> circuits_;
   double nose_diameter_ = unset, rear_diameter_ = unset;
   HeatedCells motor_, drive_, seal_, front_bearings_, rear_bearings_;
-  std::vector<HeatedCells> sources_;  ///< in the order of model::Spindle::heat
+  std::vector<HeatedCells> sources_;  ///< one for each source in model::Spindle::heat
   double driven_heat_ = 0.0;
   std::vector<double> source_heat_;
 };

@@ -28,7 +28,8 @@ struct BearingHeat {
   double clearance = unset;         ///< diametral clearance s of a roller bearing [m]
   /// Thermal conductance of balls or rollers through their contacts [W/K].
   double conductance = 0.0;
-  double band = 0.0;  ///< half width of the 95 % band of power() from a friction table [W]
+  /// Half width of the 95 % band of power() [W]; 0 unless the friction law is a table with a band.
+  double band = 0.0;
   [[nodiscard]] double power() const { return inner + outer; }
 };
 
@@ -96,11 +97,14 @@ class WarmSets {
   model::Steps steps_, friction_;
   bool has_effects_ = false;  ///< true if effects act on friction
   bool has_conditions_ = false;
-  double feedback_ = 1.0;  ///< weight of forces in warm sets; in cold sets: 1 - feedback_ [1]
+  /// Weight of the forces of the warm sets in the friction [1]. The forces of the cold sets have
+  /// the weight 1 - feedback_.
+  double feedback_ = 1.0;
   shaft::ShaftBalance balance_;
   std::vector<model::Model> singles_;  ///< model of each bearing alone, if effects need one
   Inputs inputs_;
-  shaft::ShaftCondition speed_, asked_;  ///< speed_: cold; asked_: with ring temperatures
+  /// Speed, axial load and ring shifts: `speed_` of the cold sets, `asked_` of the warm sets.
+  shaft::ShaftCondition speed_, asked_;
   bearing::ArrangementEquilibrium cold_, sets_;
   SetsAsked temperatures_;  ///< temperatures of the last solve()
   std::vector<BallConduction> conduction_;

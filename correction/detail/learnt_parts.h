@@ -18,7 +18,8 @@ struct LearntPart {
   std::string name{};   ///< name of the contribution that the gain scales, or channel of the lag
   bool is_lag = false;  ///< true: an additional lag that the model lacks
   double time_constant = unset;  ///< time constant of the lag [s]
-  double gain = unset;           ///< for a lag: `weights` divided by its response [SI]
+  /// For a lag: `weights` divided by the response of the lag, in the SI unit of its input.
+  double gain = unset;
 };
 
 /// Returns the gains of all contributions of the model and of additional lags. Effects that are

@@ -12,7 +12,7 @@ namespace raceway::rig {
 /// Criteria for a release.
 struct ReleaseOptions {
   std::size_t fewest = 7;    ///< smallest number of samples in a window
-  std::size_t windows = 40;  ///< windows of a run that give the estimate of the noise
+  std::size_t windows = 40;  ///< number of windows per run for the noise estimate
   /// largest fall of the speed within a window, relative to the speed at its start [1]
   double largest_fall = 0.25;
 };
