@@ -26,7 +26,7 @@ namespace raceway::c {
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
 /// Returns the names of the columns with these indices. The result is empty if `columns` is NULL or
-/// `count` is 0; both select all columns. Throws text::InputError for an index out of range.
+/// `count` is 0, which selects all columns. Throws text::InputError for an index out of range.
 [[nodiscard]] std::vector<std::string> column_names(const raceway_model& model, const int* columns,
                                                     std::size_t count);
 

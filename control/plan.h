@@ -53,9 +53,9 @@ struct ControlTogether {
   double farthest = unset;
 };
 
-/// Table of the friction torque of a spindle. The program interpolates linearly between the points
-/// and uses the value at the edge beyond them. It uses the absolute value of a load if the load
-/// axis has no negative value.
+/// Table of the friction torque of a spindle. The program interpolates linearly between the points.
+/// Beyond the edge of the table, it uses the value at the edge. It uses the absolute value of a
+/// load if the load axis has no negative value.
 struct ControlTable {
   std::string file{};
   /// Increasing grid values of each axis, at least one. An axis of load or temperature has exactly
@@ -84,7 +84,7 @@ struct ControlDrive {
   double decay_rpm = unset;                ///< n0 of the kind motor
   double lowest = unset, highest = unset;  ///< range of a power in the training data [W]
   std::string unit{};                      ///< unit of u, such as "K"
-  /// Index of the input of the window, the position of a machine axis. The window is a factor: 0
+  /// Index of the input of the window: the position of a machine axis. The window is a factor: 0
   /// outside `window_from` and `window_to`, 1 between `window_full_from` and `window_full_to`, and
   /// linear between.
   std::size_t window = nowhere;

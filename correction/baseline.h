@@ -58,7 +58,8 @@ struct ArxFit {
   /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
   std::vector<double> time_constants{};
   bool stable = false;
-  /// One channel for each input, with a transfer function. All have the same denominator.
+  /// One channel for each input, with a transfer function. All transfer functions have the same
+  /// denominator.
   std::vector<DrivenChannel> channels{};
   double offset = 0.0;  ///< displacement for zero inputs [m]
 };

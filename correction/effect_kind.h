@@ -91,7 +91,7 @@ class EffectKind {
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
   /// Returns true if the contribution of the effect is proportional to this parameter.
   [[nodiscard]] virtual bool is_proportional(std::size_t number) const;
-  /// Returns the bounds of a parameter. For a time constant, they also lie within `limits`, the
+  /// Returns the bounds of a parameter. The bounds of a time constant also lie within `limits`, the
   /// range that the record can determine.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
@@ -111,7 +111,8 @@ class EffectKind {
 
   /// Returns the contribution of the effect to the displacement. Default: none.
   [[nodiscard]] virtual Share share(const Effect& effect, const Model& model) const;
-  /// Enters in `answer` how the effect changes the lags of its channel. Default: no change.
+  /// Writes to `answer` the changes that the effect makes to the lags of its channel. Default: no
+  /// change.
   virtual void change(const Effect& effect, const Model& model, Answer& answer) const;
 
  protected:

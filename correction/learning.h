@@ -109,8 +109,8 @@ struct Learning {
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
 /// deviations. The next reading is then used regardless of the interval. If the reading after a
-/// rejected one is also outside this limit, it resets the zero in two cases: it agrees with the
-/// rejected reading, or the two readings before it were rejected.
+/// rejected one is also outside this limit, this reading resets the zero in two cases: it agrees
+/// with the rejected reading, or the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. The standard deviations and times are our choice, based on the record
 ///           of docs/correction.md with models from three initial parts of this record.

@@ -13,11 +13,12 @@ struct Metrics {
   double rms = unset, mean_abs = unset, max_abs = unset;
   double residue_min = unset, residue_max = unset;
   /// |residue_max| + |residue_min|, as printed in [Transfer2022, eq. 7]. This sum is the
-  /// peak-to-peak residue if the two have different signs; otherwise the sum is larger.
+  /// peak-to-peak residue if residue_max and residue_min have different signs; otherwise the sum is
+  /// larger.
   double peak_to_peak = unset;
   /// (1 - |y - s| / |y - mean of y|) 100, with the Euclidean norms of measured values y and
-  /// simulated values s. The value is 100 for a perfect simulation, and 0 if the mean of y would be
-  /// as good.
+  /// simulated values s. The value is 100 for a perfect simulation, and 0 for a simulation that is
+  /// as good as the mean of y.
   double fit_percent = unset;
   /// Reduction of the largest error: (1 - largest |residue| / largest |measured displacement|) 100.
   double reduction_of_max_percent = unset;

@@ -64,7 +64,7 @@ struct Beyond {
     /// Limits of the range [SI]. For the joint range, the limits of the distance d, where `lower`
     /// is 0.
     double lower = unset, upper = unset;
-    /// Number of rows outside the range, and the first of these rows.
+    /// Number of rows outside the range, and the index of the first of these rows.
     std::size_t rows = 0, first = 0;
     double value = unset;     ///< input, or distance d, in the row `first` [SI]
     double farthest = unset;  ///< input, or distance d, farthest outside the range [SI]

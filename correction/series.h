@@ -66,8 +66,8 @@ class Series {
   /// Returns the factor of a window on the displacement at the time of the reading in each row [1].
   /// The result is null if the input has no window or `of_input` is set.
   [[nodiscard]] Values shown_share(const Input& input) const;
-  /// Returns the number of rows in which the spindle turns at a point outside the axes of the
-  /// friction table; 0 for an input without such a table.
+  /// Returns the number of rows in which the spindle turns and the operating point is outside the
+  /// axes of the friction table; 0 for an input without such a table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
   /// Returns the response of a lag with gain 1 to this input at every row, in the SI unit of the

@@ -67,8 +67,8 @@ struct ParallelForm {
   std::vector<Lag> lags{};
 };
 
-/// Returns this form of a transfer function. Throws std::invalid_argument if a pole is outside the
-/// domain of ParallelForm; the message names the pole.
+/// Returns the parallel form of a transfer function. Throws std::invalid_argument if a pole is
+/// outside the domain of ParallelForm; the message names the pole.
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
 
 /// Returns a warning for each kind of pole that no thermal body has: on or outside the unit circle,
@@ -97,9 +97,9 @@ struct TransferFunctionCheck {
 };
 
 /// Checks published coefficients for implausible poles, for the effects of rounding and for steps
-/// in the output. `quantum` is the resolution of the input's sensor in its unit. `unit` is the unit
-/// of the displacement. A warning is added if a step of the input by `quantum` instantly moves the
-/// displacement by more than 0.1 `unit`.
+/// in the output. `quantum` is the resolution of the sensor, in the unit of the input. `unit` is
+/// the unit of the displacement. A warning is added if a step of the input by `quantum` instantly
+/// moves the displacement by more than 0.1 `unit`.
 [[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
                                           std::string_view unit = "um");
 

@@ -51,8 +51,8 @@ struct RollerRatings {
 ///
 ///   L10r = (Σ (q_i/q_ci)^4.5 + (q_e/q_ce)^4.5)^(-8/9),   q_c = Q_c ns^(-7/9)
 ///
-/// q_i is the mean slice load over the rollers with exponent 4, because the inner ring rotates; q_e
-/// is the mean slice load with exponent 4.5. If `edges` is true, the loads of each slice are
+/// q_i and q_e are power means of the slice load over the rollers: q_i with exponent 4, because the
+/// inner ring rotates, and q_e with exponent 4.5. If `edges` is true, the loads of each slice are
 /// multiplied by its edge_factor().
 /// Source:   [ISO16281].
 /// Domain:   the life is NaN without a converged equilibrium, and infinite without load.

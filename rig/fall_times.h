@@ -34,11 +34,11 @@ struct Fall {
 ///   M = J (ω1 - ω2)/t   at   ω_e = speed_of_mean_torque(ω1, ω2, p) (1 + (p'/p) s²/24)
 ///
 /// The exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the
-/// row and its neighbours. A neighbour is the nearest lower or higher fall of the same run with the
-/// same other inputs. The middle speed of a neighbour lies outside the fall of the row. The fastest
-/// or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4. For two falls, p' is
-/// 0; for a single fall, p = 2/3, as for a viscous moment. With p and p' of a parabola, ω_e is
-/// correct to second order in s = (ω1 - ω2)/ω for every smooth law.
+/// row and its neighbours. A neighbour is the nearest fall at lower or at higher speed in the same
+/// run, with the same other inputs. The middle speed of a neighbour lies outside the fall of the
+/// row. The fastest or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4. For
+/// two falls, p' is 0; for a single fall, p = 2/3, as for a viscous moment. With p and p' of a
+/// parabola, ω_e is correct to second order in s = (ω1 - ω2)/ω for every smooth law.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
 /// ω_e replaces the speed of the record. If every fall has a standard deviation of the time, the

@@ -27,8 +27,8 @@ class RigSubject : public model::ModelSubject {
   /// Returns the inputs with random errors: the temperature, if it varies in the record.
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns the factors of each row: speed, load and viscosity. The load is the resultant of axial
-  /// and radial load.
+  /// Returns the quantities by whose powers an effect may be multiplied: speed, load and viscosity
+  /// in each row. The load is the resultant of axial and radial load.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns inputs and unit of a formula for the moment of one bearing, for a user-defined effect.
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;

@@ -10,9 +10,9 @@ namespace raceway::rig {
 ///
 ///   J = Σ M_model / Σ (-dω/dt)
 ///
-/// A coast-down determines only the ratio M/J. With typical friction parameters, the result has the
-/// correct order of magnitude. The record still shows how the torque depends on speed, load and
-/// temperature.
+/// A coast-down determines only the ratio of torque M to inertia J. With typical friction
+/// parameters, the result has the correct order of magnitude. The record still shows how the torque
+/// depends on speed, load and temperature.
 ///
 /// `unit` is the record with the torques for an inertia of 1 kg m². Rows without a prediction are
 /// not used. Throws std::invalid_argument unless both sums are positive.

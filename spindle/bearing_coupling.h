@@ -71,7 +71,7 @@ class BearingCoupling {
   /// Computes the raceway heat y for s. Returns false if the bearing sets have no equilibrium.
   [[nodiscard]] bool evaluate(const Vector& felt, Vector& given);
   /// Computes dy/ds by finite differences about the last evaluated s. Returns false if the bearing
-  /// sets have no equilibrium at a shifted s.
+  /// sets have no equilibrium at an s of the finite differences.
   [[nodiscard]] bool differentiate(const Vector& felt, const Vector& given, Matrix& jacobian);
 
  private:

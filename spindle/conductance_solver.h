@@ -11,7 +11,8 @@ namespace raceway::spindle {
 /// the heat capacities and G the thermal conductances.
 ///
 /// A is factorised as L D Lᵀ. The constructor finds an order of the bodies in which L has few
-/// elements. Forward and back substitution are separate functions. The product
+/// elements. first_half() does the forward substitution, and second_half() does the back
+/// substitution. The product
 ///
 ///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)
 ///
@@ -20,7 +21,8 @@ namespace raceway::spindle {
 /// Accuracy: rounding errors only; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:
-  /// Finds the order of elimination. Later, only the conductances in `paths` may change.
+  /// Finds the order of elimination. After the construction, only the conductances in `paths` may
+  /// change.
   explicit ConductanceSolver(const HeatPaths& paths);
   /// Factorises A. Returns false if A is not positive definite: a body has neither heat capacity
   /// nor a path for heat to leave, or a number is not finite.

@@ -40,9 +40,9 @@ class CoupledNewton {
   [[nodiscard]] Vector solve_linear(const Vector& right) const { return solver_.solve(right); }
   /// Discards the Jacobian dy/ds. Call this function after a change of speed or load.
   void forget_derivatives() { known_ = false; }
-  /// Returns the largest real gain of the feedback loop heat -> temperature -> preload -> heat at
-  /// s = `felt` [1]. A gain of 1 or more means thermal runaway. NaN without bearings, or if a
-  /// shifted s has no equilibrium.
+  /// Returns the largest real gain of the feedback loop heat -> temperature -> preload -> heat at s
+  /// = `felt` [1]. A gain of 1 or more means thermal runaway. The result is NaN without bearings,
+  /// or if the bearing sets have no equilibrium at an s of the finite differences.
   [[nodiscard]] double gain(const Vector& felt, const Vector& given);
 
  private:

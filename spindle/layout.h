@@ -24,8 +24,8 @@ struct Share {
 };
 using Shares = std::vector<Share>;
 
-/// Returns the weights of these cells in their mean temperature. The weights are proportional to
-/// the cell volumes and have the sum 1.
+/// Returns the weights for the mean temperature of these cells. The weights are proportional to the
+/// cell volumes and have the sum 1.
 [[nodiscard]] Shares mean_over(const Mesh& mesh, const std::vector<int>& cells);
 
 /// Position and dimensions of one bearing, and its cells in the mesh.

@@ -14,7 +14,7 @@ struct Region {
   Body body = Body::shaft;
   int bearing = -1;  ///< index of the bearing, front set first; -1: not a bearing ring
   double start = unset, end = unset;  ///< distance behind the nose face [m]
-  /// [m]; the inner radius of a solid cylinder is 0.
+  /// Inner and outer radius [m]; the inner radius of a solid cylinder is 0.
   double inner_radius = unset, outer_radius = unset;
   model::SolidMaterial material = model::steel_of_shafts;
   double solid_share = 1.0;  ///< solid share of the section; the rest is coolant channel [1]
@@ -28,7 +28,7 @@ struct Cell : Region {
   [[nodiscard]] double length() const { return end - start; }
   [[nodiscard]] double section() const;        ///< solid section across the axis [m²]
   [[nodiscard]] double heat_capacity() const;  ///< [J/K]
-  /// Returns the thermal resistance from the middle to a face normal to the axis [K/W].
+  /// Returns the thermal resistance from the middle of the cell to a face normal to the axis [K/W].
   [[nodiscard]] double half_axial_resistance() const;
   /// Return the thermal resistance between the middle radius r_m and the inner or outer face r_f,
   /// |ln(r_f/r_m)|/(2 π λ L) [K/W]. The inner resistance of a solid cylinder is infinite.

@@ -132,7 +132,7 @@ struct Run {
   bool has_end = false;                ///< true: add_end() added a moment at an early stop
   std::vector<double> step_ends = {};  ///< end time of each time step [s]
   State end = {};
-  /// States at the times `keep` of simulate(), as far as they were reached.
+  /// States at the times `keep` of simulate(). Times after an early stop have no state.
   std::vector<State> kept = {};
   Report report = {};
   /// Largest axial force of the front set in any step or row [N].
@@ -236,9 +236,9 @@ class Simulator {
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
   /// Returns the bearing sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
-  /// Returns the equilibrium of the bent shaft whose bearing loads gave the friction in the last
-  /// call. The result is null for a network. It is also null if the shaft has no radial load, no
-  /// moment and no roller bearing.
+  /// Returns the equilibrium of the bent shaft. The last call computed the bearing friction with
+  /// its bearing loads. The result is null for a network. It is also null if the shaft has no
+  /// radial load, no moment and no roller bearing.
   [[nodiscard]] const LoadedShaft* shaft() const;
   /// Returns speed, axial load, ring shifts and elongation of the bearing sets in the last call;
   /// null for a network.

@@ -54,8 +54,8 @@ struct StepFit {
 ///
 ///   u(t) = Σ K_k exp(-t/T_k)
 ///
-/// A delay element of a correction needs these time constants at rest. If the gains were fitted,
-/// the lags of the decay would not correspond to the lags of the step.
+/// A delay element of a correction needs these time constants for the spindle at rest. If the gains
+/// were fitted, the lags of the decay would not correspond to the lags of the step.
 /// Method:   a logarithmic grid from a tenth of the first time t > 0 to thirty times the last time,
 ///           refined around its best point.
 /// Accuracy: relative error 1e-6 if the rows follow the law exactly. Throws std::invalid_argument

@@ -35,11 +35,11 @@ struct TableAxis {
   std::vector<double> points{};
   bool by_amount = false;
 };
-/// Returns those axes of the friction table of a power for which an input supplies the value. The
-/// first axis varies fastest.
+/// Returns the axes of a friction table whose values are inputs of the program. `power` is the
+/// drive that uses the table. The first axis varies fastest.
 [[nodiscard]] std::vector<TableAxis> axes_of(const ControlPlan& plan, const ControlDrive& power);
-/// Returns the axial load of the table of a power as text, such as " at 300 N"; empty if an input
-/// supplies the load.
+/// Returns the constant axial load at which the drive `power` reads its friction table, as text
+/// such as " at 300 N"; empty if an input supplies the load.
 [[nodiscard]] std::string fixed_load(const ControlPlan& plan, const ControlDrive& power);
 
 /// Returns a hash of the numbers of a plan. An exported program accepts a saved state only if the

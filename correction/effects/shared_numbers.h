@@ -7,7 +7,7 @@
 
 namespace raceway::correction {
 
-/// Parameters that several effects have: an unbounded range, the gain and the time constant.
+/// Numbers that several effects use: an infinite bound, the gain and the time constant.
 inline constexpr double any_size = std::numeric_limits<double>::infinity();
 inline constexpr record::NumberCard gain_number{"gain", "um/u", 0.0, -any_size, any_size};
 /// Time constant [s]. In a fit, the bounds are narrower, depending on the duration and the sampling

@@ -4,8 +4,8 @@
 
 namespace raceway::correction {
 
-/// The machine cools with another time constant than it warms up: the time constant τ of a lag is
-/// multiplied by a ratio while its input u is below its state x.
+/// The machine cools down with another time constant than during warm-up: the time constant τ of a
+/// lag is multiplied by a ratio while its input u is below its state x.
 struct ThermalAsymmetry final : EffectKind {
   static constexpr record::NumberCard ratio{"ratio", "1", 1.0, 0.2, 5.0, 0.2, 5.0, 1.0};
   static constexpr std::array one{ratio};

@@ -35,18 +35,20 @@ struct ReleaseOptions {
 ///
 /// The sample is a release under two conditions. The sum of squares of the model `released` is
 /// smaller by more than 40 times the variance of a sample. The slope before the sample is, within
-/// two standard deviations, at most a tenth of the slope after the sample. The variance comes from
-/// the part of the run in which the shaft certainly coasts, times (1 + r)/(1 - r) if neighbours are
-/// correlated by r. If the model `released` has a larger residual, for example because the speed
-/// control of the drive oscillates, the variance of this residual is used. The search is repeated
-/// on the remaining samples, so run-up and plateau may have any shape.
+/// two standard deviations, at most a tenth of the slope after the sample. The variance is
+/// estimated in the part of the run in which the shaft certainly coasts. It is multiplied by (1 +
+/// r)/(1 - r) if neighbouring samples have the correlation r. If the model `released` has a larger
+/// residual, for example because the speed control of the drive oscillates, the variance of this
+/// residual is used. The search is repeated on the remaining samples, so run-up and plateau may
+/// have any shape.
 ///
 /// Domain:   a fall that begins slowly is not treated as a plateau, because it has no kink. The
-///           release is within `largest_fall` of the highest speed. A brake, a seal or boundary
-///           friction at lower speed is not treated as a release. A plateau hidden by noise is
-///           kept. Such a plateau shifts the first torques by at most a few standard deviations.
-///           Records with more than 1000 samples are averaged first. In these records, up to three
-///           thousandths of the samples after the release are also excluded.
+///           function finds a release only at a speed within `largest_fall` of the highest speed. A
+///           brake, a seal or boundary friction at lower speed is not treated as a release. A
+///           plateau hidden by noise is kept. Such a plateau shifts the first torques by at most a
+///           few standard deviations. Records with more than 1000 samples are averaged first. In
+///           these records, up to three thousandths of the samples after the release are also
+///           excluded.
 [[nodiscard]] std::size_t samples_before_release(std::span<const Block> samples,
                                                  const ReleaseOptions& options);
 

@@ -11,7 +11,7 @@
 /// Regression of the speed for coast_down_torque().
 namespace raceway::rig {
 
-/// Number of inputs that a record may contain, in the order of the table of channels.
+/// Number of inputs that a record may contain. Block::inputs has the order of record::channels.
 inline constexpr std::size_t input_count = [] {
   std::size_t count = 0;
   for (const record::Channel& c : record::channels) count += c.is_input() ? 1 : 0;
