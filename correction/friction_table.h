@@ -24,7 +24,8 @@ struct FrictionTable {
   /// Returns the torque [N m], interpolated linearly. Beyond the end of an axis, the value at its
   /// end is used.
   [[nodiscard]] double operator()(const Point& at) const;
-  /// Returns true if a point lies within all axes. An axis with one value has no limits.
+  /// Returns true if a point lies within the range of every axis. An axis with one value has no
+  /// limits.
   [[nodiscard]] bool holds(const Point& at) const;
 };
 

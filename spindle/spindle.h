@@ -237,8 +237,8 @@ class Simulator {
   /// Returns the bearing sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
   /// Returns the equilibrium of the bent shaft. The last call computed the bearing friction with
-  /// its bearing loads. The result is null for a network. It is also null if the shaft has no
-  /// radial load, no moment and no roller bearing.
+  /// the bearing loads of this equilibrium. The result is null for a network. It is also null if
+  /// the shaft has no radial load, no moment and no roller bearing.
   [[nodiscard]] const LoadedShaft* shaft() const;
   /// Returns speed, axial load, ring shifts and elongation of the bearing sets in the last call;
   /// null for a network.

@@ -36,7 +36,7 @@ struct TableAxis {
   bool by_amount = false;
 };
 /// Returns the axes of a friction table whose values are inputs of the program. `power` is the
-/// drive that uses the table. The first axis varies fastest.
+/// drive that uses the table. In ControlTable::torque_Nmm, the first axis varies fastest.
 [[nodiscard]] std::vector<TableAxis> axes_of(const ControlPlan& plan, const ControlDrive& power);
 /// Returns the constant axial load at which the drive `power` reads its friction table, as text
 /// such as " at 300 N"; empty if an input supplies the load.

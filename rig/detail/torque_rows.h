@@ -15,8 +15,8 @@ struct Torque {
   std::size_t row;  // row of the coast-down record
 };
 
-/// Writes the torques to the columns of `result`, in the order of the table of channels. Also adds
-/// the names of the runs that have a torque to `result`.
+/// Writes the torques to the columns of `result`, in the order of record::channels. Also adds the
+/// names of the runs that have a torque to `result`.
 void fill(const std::vector<Torque>& torques, const record::Record& coast_down,
           record::Record& result);
 
