@@ -52,8 +52,9 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
-  /// Share of the other mounting, from 0 to 1 [1]: of a rigid mounting for a spring, and of a
-  /// spring of constant force for a rigid mounting. See Arrangement::Seat.
+  /// Share of the other mounting in the support of the rear set, from 0 to 1 [1]. The other
+  /// mounting of a spring is a rigid mounting. The other mounting of a rigid mounting is a spring
+  /// of constant force. See Arrangement::Seat.
   double other_mounting = 0.0;
   /// Axial stiffness of the shaft between the sets, in series with the sets [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
@@ -75,8 +76,9 @@ struct ArrangementDesign {
 /// d = -1), the axial compressions of the two sets are
 ///
 ///   front   δ_f = δ_f0 - d x
-///   rear    δ_r = δ_r0 + d (x - e) - c (F_r - F_0)     rigid, c = 1/shaft + 1/housing stiffness
-///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring, 1/k = 1/rate + c
+///   rear    δ_r = δ_r0 + d (x - e) - c (F_r - F_0)     rigid mounting
+///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring mounting
+///   c = 1/shaft_stiffness + 1/housing_stiffness,  1/k = 1/spring_rate + c
 ///
 /// At δ = 0 the balls of a bearing without offset just touch both races, at the nominal contact
 /// angle. e is the elongation of the shaft minus the elongation of the housing between the sets.
@@ -116,8 +118,8 @@ class Arrangement {
   ///   (1 - m) (1, k) + m (c K_r, K_r)     for an entered spring
   ///
   /// K_r is the stiffness of the rear set as mounted. The rear set and its seat, in series, then
-  /// have the stiffness (1 - m) K_r for a rigid mounting with c = 0, and m K_r for a spring with
-  /// k = 0. Changes of the rear force are therefore linear in m.
+  /// have the stiffness (1 - m) K_r if a rigid mounting has c = 0, and m K_r if a spring has k = 0.
+  /// For a small displacement, the change of the rear force is therefore linear in m.
   struct Seat {
     double softness, hardness;
   };

@@ -11,7 +11,7 @@ namespace raceway::bearing {
 
 /// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
-  double axial = 0.0;   ///< axial shift of the inner groove that compresses the bearing
+  double axial = 0.0;   ///< axial shift of the inner groove, > 0 if it compresses the bearing
   double radial = 0.0;  ///< radial growth of the inner groove minus growth of the outer groove
   /// Growth of the distance from the inner groove centre to the ball centre, without load.
   double inner_length = 0.0;
@@ -43,15 +43,19 @@ struct SetTemperatures {
 ///   lengths λ_r (T - T0) f D - λ_b (T_b - T0) D/2
 ///   axial   λ_r ((T_i + T_o)/2 - T0) B D sin α0
 ///
-/// A uniform temperature therefore only scales a bearing of one material.
+/// λ_r and λ_b are the thermal expansion coefficients of rings and balls. T_i, T_o and T_b are the
+/// temperatures of inner ring, outer ring and balls, and T is the temperature of the ring of the
+/// groove. f, D, B and α0 are as in BearingGeometry. A uniform temperature only scales a bearing of
+/// one material.
 /// Source: derived. The formulas ignore interference fits and the stiffness of shaft and housing.
 [[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
                                       double mounting_temperature);
 
 /// Adds thermal expansion to a condition: the shifts of all bearings, and the elongation e = L (λ_s
-/// (T_s - T0) - λ_h (T_h - T0)) between the sets. L is the distance between the sets, and T0 is the
-/// mounting temperature. Throws std::invalid_argument for a temperature outside 50 to 800 K, and if
-/// any temperature except `balls` is missing.
+/// (T_s - T0) - λ_h (T_h - T0)) between the sets. L is the distance between the sets. λ_s and λ_h
+/// are the expansion coefficients of shaft and housing, T_s and T_h are their temperatures, and T0
+/// is the mounting temperature. Throws std::invalid_argument for a temperature outside 50 to 800 K,
+/// and if any temperature except `balls` is missing.
 void add_expansion(const Arrangement& arrangement, const SetTemperatures& temperatures,
                    ArrangementCondition& condition);
 
@@ -80,8 +84,8 @@ struct ArrangementEquilibrium {
   std::vector<BearingInSet> bearings;
   SolveReport report;
 
-  /// Returns bearing i with all balls, for the friction laws. Displacement and stiffness are known
-  /// only along x: the other displacements are 0, and the other stiffness components are NaN.
+  /// Returns the equilibrium of bearing i for the friction laws. Displacement and stiffness are
+  /// known only along x: the other displacements are 0, and the other stiffness components are NaN.
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
   /// Returns the given ball rotation of each bearing, for EquilibriumOptions::rotations; empty
   /// under race control.

@@ -7,11 +7,11 @@
 #include "bearing/kinematics.h"
 #include "bearing/lanes.h"
 
-// The number types of the templates are described in lanes.h: one ball, or the same ball at several
-// operating points in parallel. Names without a suffix are for one ball in double precision.
+// The templates compute one ball, or the same ball at several operating points in parallel; lanes.h
+// describes their number types. Names without the suffix `Of` are for one ball in double precision.
 namespace raceway::bearing {
 
-/// Plane vector (axial, radial) in the plane of one ball.
+/// Vector (axial, radial) in the plane through the bearing axis and the centre of one ball.
 template <typename T>
 struct PlaneOf {
   T axial = T(0.0);
@@ -29,7 +29,7 @@ struct BallConstantsOf {
   T outer_stiffness;   ///< K_o [N/m^1.5]
   T diameter_ratio;    ///< g = D/d_m [1]
   T full_centrifugal;  ///< C = m d_m ω²/2: centrifugal force of a ball that orbits at ω [N]
-  T gyroscopic;        ///< 1, or 0 for a ball without gyroscopic moment [1]
+  T gyroscopic;        ///< 1 with the gyroscopic moment, 0 without it [1]
 };
 
 struct BallConstants : BallConstantsOf<double> {
@@ -63,7 +63,7 @@ struct BallForcesOf {
 ///   Q = K δ^1.5,  δo = |X| - (f_o - 0.5) D,  δi = |V| - (f_i - 0.5) D
 ///   imbalance   r = Qi ni + Ti ti + (0, Fc) - Qo no - To to = 0
 ///   force on the ring   f = Qi ni + Ti ti
-///   moment arm force    f_m = f_axial - (f_i D / R_i) Ti   (Ti acts at the groove surface)
+///   moment / R_i        f_m = f_axial - (f_i D / R_i) Ti   (Ti acts at the groove surface)
 ///
 /// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. The gyroscopic couple M_g = J ω_m ω_R sin β is
 /// balanced by friction T = λ M_g/D. Under outer control the friction acts only at the outer race
@@ -82,7 +82,7 @@ struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
   PlaneOf<T> force;      ///< f [N]
   T moment_force;        ///< f_m [N]
-  // Row-major 2x2 blocks: derivatives with respect to (axial, radial).
+  // Row-major blocks. The two columns are the derivatives with respect to (axial, radial).
   T r_a[4];  ///< ∂r/∂A at fixed X [N/m]
   T r_x[4];  ///< ∂r/∂X at fixed A [N/m]
   T f_a[6];  ///< ∂(f, f_m)/∂A at fixed X, 3x2 [N/m]
@@ -218,7 +218,8 @@ template <Rotation rotation, typename T>
   }
 }
 
-/// Imbalance and forces of a ball for all types of rotation. Only a given rotation needs `given`.
+/// Imbalance and forces of a ball whose rotation follows the law `rotation`. Only Rotation::given
+/// needs the argument `given`.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline BallBalanceOf<T> ball_balance_under(
     const BallConstantsOf<T>& c, const PlaneOf<T>& groove_centre, const PlaneOf<T>& ball_centre,

@@ -19,8 +19,8 @@ enum class Symmetry {
   none     ///< unknowns: all balls, x, y, z (and θy, θz if the tilt is free)
 };
 
-/// Number of balls whose loads can differ under this symmetry, of `count` balls. These distinct
-/// balls are the first balls of the circle.
+/// Number of distinct balls in a bearing with `count` balls. Distinct balls are the balls whose
+/// loads can differ under this symmetry. They are the first balls of the circle.
 [[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }

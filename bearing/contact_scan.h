@@ -23,9 +23,10 @@ struct ScannedSet {
 /// node the scan solves the equilibrium of each ball separately. A ball has up to three states: on
 /// the inner race at a larger or a smaller contact angle, or without contact with the inner race.
 /// For one ball after the other, the scan selects the state that reduces the imbalance of the ring
-/// most. The function returns the sets that occur, in rising order of imbalance. Each set has the
-/// positions at the first node at which it occurs. A set is returned again for a later node if the
-/// imbalance at this node is at most 0.7 times the imbalance for which the set was returned last.
+/// most. The function returns the sets of contacts that occur, in rising order of imbalance. Each
+/// set has the positions at the first node at which it occurs. A set is returned again for a later
+/// node if the imbalance at this node is at most 0.7 times the imbalance for which the set was
+/// returned last.
 ///
 /// A set is a starting state, not an equilibrium. Newton's method decides whether the contacts of
 /// the set are valid.

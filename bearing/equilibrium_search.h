@@ -9,23 +9,23 @@ namespace raceway::bearing {
 /// the ring in one direction only, so their axial forces cannot balance this load.
 [[nodiscard]] bool cannot_balance(const RingSystem& system, const OperatingPoint& point);
 
-/// Finds an equilibrium at the system's operating point, from a neighbour's solution if given,
-/// otherwise by
-///   1. Newton's method from the closed-form thrust solution,
-///   2. under inner control, from the inner contacts that statics allows (lost_contacts.h),
+/// Finds an equilibrium at the system's operating point by Newton's method. If `neighbour` has a
+/// solution, the search starts from this solution. If that fails, the search tries in this order:
+///   1. the closed-form thrust solution as start,
+///   2. under inner control, the inner contacts that statics allows (lost_contacts.h),
 ///   3. following the solution from pure thrust to the full radial load and moment,
 ///   4. following the solution from standstill to full speed,
 ///   5. if the axial load is small, following the solution from the radial load without axial load,
-///   6. under inner control, from states in which the least loaded balls have lost the inner race,
-///      then again from the sets of step 2 that differ by one ball, with more Newton steps,
-///   7. under inner control, from the contacts that occur on a grid of ring positions
-///      (contact_scan.h).
+///   6. under inner control, states in which the least loaded balls have lost the inner race, then
+///      again the sets of step 2 that differ by one ball, with more Newton steps,
+///   7. under inner control, the contacts that occur on a grid of ring positions (contact_scan.h).
 ///
-/// Under outer control the forces are continuous in the displacement, and these steps find every
-/// equilibrium that is known to exist. Under inner control the gyroscopic couple vanishes with the
-/// contact, so an equilibrium may exist only for one combination of lost contacts. Steps 2 and 6
-/// try the likely combinations. Step 7 tries the combinations that occur on the grid. The search
-/// misses 0.01 % of the existing equilibria (docs/solver.md).
+/// Without axial load, only step 4 is possible. Under outer control the forces are continuous in
+/// the displacement, and these steps find every equilibrium that is known to exist. Under inner
+/// control the gyroscopic couple vanishes with the contact, so an equilibrium may exist only for
+/// one combination of lost contacts. Steps 2 and 6 try the likely combinations. Step 7 tries the
+/// combinations that occur on the grid. The search misses 0.01 % of the existing equilibria
+/// (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

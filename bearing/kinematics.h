@@ -31,10 +31,10 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = Qi/inner_load <= 1
 ///
-/// The ball rolls without slip at both contacts about an axis at pitch β; the creep m_c is added to
-/// the ratio m. β, m_c and the given friction forces stay constant while the contact angles change.
-/// The friction forces become zero when the inner contact is lost. The default values describe a
-/// ball without inner contact under outer control, where αo = 0.
+/// The ball rolls without slip at both contacts about an axis at the pitch angle β to the bearing
+/// axis. The creep m_c is added to the ratio m. β, m_c and the given friction forces stay constant
+/// while the contact angles change. The friction forces become zero when the inner contact is lost.
+/// The default values describe a ball without inner contact under outer control, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]
@@ -63,8 +63,8 @@ struct BallSpeeds {
 ///     inner   ω_R cos β = (ω - ω_m)(cos αi - g)/g,    ω_R sin β = (ω - ω_m) sin αi/g
 ///   ω_si = ω_R sin(αi - β) + (ω - ω_m) sin αi,   ω_so = -ω_R sin(αo - β) + ω_m sin αo (magnitudes)
 ///
-/// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow from inserting tan β. The reduced
-///         forms agree with the general formula to rounding (tested).
+/// Source: [Harris2006, vol. 2, ch. 5]; inserting tan β in the formula of Harris for ω_R gives the
+///         reduced forms. They agree with that formula to rounding (tested).
 ///
 /// BallRotation omits the pitch angle β, because β needs an arc tangent.
 struct BallRotation {

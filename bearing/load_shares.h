@@ -10,9 +10,10 @@ namespace raceway::bearing {
 /// Finds the balls that can stay in contact with the inner race under inner control, and the
 /// positions of ring and balls. The class uses statics only, without a Newton step.
 ///
-/// The axial force of the kept balls is linear in c = cos(ψ - φ), where φ is the direction of the
-/// load; with locked tilt, the slope is the one at which the ring does not tilt. For a kept ball
-/// with the axial force f, the radial force f_r and its inner groove centre at radius R:
+/// The axial force of a kept ball at azimuth ψ is a linear function of c = cos(ψ - φ), where φ is
+/// the direction of the load. With locked tilt, this function has the slope at which the ring does
+/// not tilt. For a kept ball with the axial force f, the radial force f_r and its inner groove
+/// centre at radius R:
 ///
 ///   tan αi = f/(f_r + τ),   τ = Ti/sin αi,   Lo cos αo + Li cos αi = R
 ///
@@ -29,7 +30,7 @@ class LoadShares {
   /// an axial component.
   [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
   /// Computes the positions of the ring and the balls for these contacts. The lost balls lie
-  /// against the outer race. Returns false without a ring position.
+  /// against the outer race. Returns false if no ring position is found.
   [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
   /// Computes the positions like spread(). Returns the largest distance by which a ball violates
   /// the assumed state of its contact [m]; NaN if no ring position is found.
@@ -55,10 +56,10 @@ class LoadShares {
     Plane groove, ball;
   };
 
-  /// Computes the share of a kept ball that carries this axial force with its inner groove centre
-  /// at this radius. The iteration starts from `near`.
+  /// Computes forces and angles of a kept ball that carries this axial force, with its inner groove
+  /// centre at this radius. The iteration starts from `near`.
   [[nodiscard]] Share share_at(double axial, double radius, const Share& near) const;
-  /// Computes the other members of `share` from the inner angle.
+  /// Computes the other members of `share` from the inner contact angle.
   void set_outer_angle(double axial, Share& share) const;
   [[nodiscard]] bool ring_of(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool even_ring(const Sums& sums, Vector5& ring) const;

@@ -124,8 +124,8 @@ struct BallStep {
   T outer_approach;  ///< δo [m]
 };
 
-/// Contribution of one ball to the ring, in the plane of the ball. The position of the ball is
-/// eliminated.
+/// Forces of one ball on the ring and their derivatives, in the plane of the ball. The position of
+/// the ball is eliminated.
 template <typename T>
 struct BallShare {
   T force[3];              ///< f_axial, f_radial, f_m [N]
@@ -280,7 +280,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
     k[3][2] = -k41;
     for (int i = 1; i < 5; ++i) sums.carried[i] = zero;
   } else if (circle.symmetry == Symmetry::mirror) {
-    // Terms that cancel between the two halves.
+    // Terms that cancel between the two halves of the circle.
     for (const int odd : {2, 3}) {
       sums.carried[odd] = zero;
       for (const int even : {0, 1, 4}) k[odd][even] = k[even][odd] = zero;

@@ -28,12 +28,13 @@ struct NewtonProgress {
 /// Newton's method for ring and balls together, with an independent point in each lane. Lanes begin
 /// and end at any time. A result does not depend on the other lanes.
 ///
-/// A step moves the ring by at most half the distance of the groove centres. The step is halved up
-/// to six times while it raises the merit. The step of a single ball is shortened if it would lift
-/// this ball off the outer race. A full step may raise the merit by the factor NewtonLimits::rise,
-/// because a ball may gain or lose contact. When a lane converges, its trial state is one Newton
-/// step beyond the accepted state. Use the trial state as the result. The error of the trial state
-/// is near the rounding error. The last step is not counted.
+/// A step moves the ring by at most half the distance of the groove centres. A full step may raise
+/// the merit by the factor NewtonLimits::rise, because a ball may gain or lose contact. If the
+/// merit rises more, the step is halved, up to six times, until the merit does not rise. The step
+/// of a single ball is shortened if it would lift this ball off the outer race. When a lane
+/// converges, its trial state is one Newton step beyond the accepted state. Use the trial state as
+/// the result. The error of the trial state is near the rounding error. The last step is not
+/// counted.
 template <typename T>
 class RingNewton {
  public:
@@ -91,7 +92,7 @@ template <BallModel model, class C>
     const auto i = static_cast<std::size_t>(k);
     const PlaneOf<T> centre = groove_centre<C>(point, circle, trial_ring, k);
     bool alike = false;
-    // This helps for one point only: from a thrust start all balls begin equal.
+    // A ball equal to the last one is not computed again: from a thrust start all balls are equal.
     if constexpr (is_scalar<T>)
       alike = centre == last_centre && trial_balls[i] == last_ball && !contacts &&
               circle.rotations.size() <= 1;
@@ -183,8 +184,8 @@ NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimi
   const T accept = select(halvings_ == T(0.0), T(limits.rise), T(1.0));
   NewtonProgress<T> progress;
   progress.taken = fresh || trial_merit_ <= accept * merit_ || halvings_ == T(6.0);
-  // Accepts the accuracy that rounding allows. Under a very small load it is worse than the
-  // tolerance.
+  // Accepts the accuracy that rounding allows. Under a very small load, this accuracy is worse than
+  // the tolerance.
   const T near = min(max(T(10.0 * limits.tolerance), point.rounding), T(0.1 * largest_load_error));
   const Mask<T> stalled = !fresh && trial_residual_ <= near && trial_merit_ > 0.25 * merit_;
   take<C>(progress.taken, circle.used());

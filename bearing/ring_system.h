@@ -46,7 +46,7 @@ class RingSystem {
   [[nodiscard]] const BallConstantsOf<double>& constants() const { return point_.ball; }
   [[nodiscard]] Symmetry symmetry() const { return circle_.symmetry; }
   [[nodiscard]] bool at_rest() const { return model_ == BallModel::at_rest; }
-  /// Applied load; moments are divided by the lever [N].
+  /// Applied load; moments are divided by the lever R_i [N].
   [[nodiscard]] Vector5 load() const { return Eigen::Map<const Vector5>(point_.load); }
   [[nodiscard]] double load_scale() const { return point_.load_scale; }
   [[nodiscard]] double lever() const { return point_.lever; }

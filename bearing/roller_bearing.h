@@ -71,9 +71,10 @@ inline constexpr std::size_t lamina_count = 41;
 ///
 ///   q = c1 δ^(10/9),   c1 = 2^(10/9) cs,   cs = 35948 L^(8/9)/ns   [N, mm]
 ///
-/// ns is lamina_count. cs is the stiffness of both contacts of a roller in series, and c1 is the
-/// stiffness of a single contact. For materials other than steel both are multiplied by 2
-/// k(steel)/(k(roller) + k(ring)), k = (1 - ν²)/E.
+/// q is the load of one slice at one race, δ is its approach there, and ns is lamina_count. cs is
+/// the stiffness of both contacts of a slice in series, and c1 is the stiffness of a single
+/// contact. For materials other than steel, cs and c1 are multiplied by 2 k(steel)/(k(roller) +
+/// k(ring)), k = (1 - ν²)/E.
 ///
 /// Source:   [ISO16281], as two other programs implement it. The split into two equal contacts in
 ///           series and the factor of the materials are derived (Lundberg's form is linear in k).

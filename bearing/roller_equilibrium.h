@@ -82,9 +82,12 @@ struct RollerEquilibrium {
 ///
 ///   rollers   Σ qo - Σ qi = Fc,   Σ x qo = Σ x qi
 ///
-///   ring      Σ qi cos ψ = F_y,   Σ qi sin ψ = F_z, and the same for the moments
+///   ring      Σ qi cos ψ = F_y,   Σ qi sin ψ = F_z,   Σ x qi cos ψ = M_z,   -Σ x qi sin ψ = M_y
 ///
-///   K = Σ B'(Ki - Ki (Ki + Ko)^-1 Ki) B
+///   tangent stiffness of the ring   K = Σ B'(Ki - Ki (Ki + Ko)^-1 Ki) B
+///
+/// s is the radial clearance, P is roller_relief(), c1 is as in LineContact, and u and f are shift
+/// and tilt of a roller (LoadedRoller).
 ///
 /// The equilibrium is the minimum of a convex energy of ring and rollers. Newton's method solves
 /// for all unknowns, with a line search on the derivative along the step. The two unknowns of each
@@ -99,8 +102,8 @@ struct RollerEquilibrium {
 /// Accuracy: the relative imbalance is at most `tolerance`. The model assumes rigid rings and
 ///           quasi-static motion. The model ignores roller skew, flange friction, cage slip and
 ///           film. An approach below 1e-15 m is not a contact. Otherwise a rounding error of 1e-19
-///           mm at 90 deg would contribute 1 % of a stiffness, because q' is proportional to the
-///           ninth root of the approach.
+///           mm at 90 deg would contribute 1 % of the stiffness of a loaded slice, because dq/dδ is
+///           proportional to the ninth root of the approach δ.
 [[nodiscard]] RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing,
                                                      const OperatingPoint& point,
                                                      const RollerOptions& options = {});

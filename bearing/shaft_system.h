@@ -28,7 +28,7 @@ struct BearingShare {
 struct ShaftAssembly {
   std::vector<BearingShare> bearings;
   BearingShare front, rear;  ///< sums over each side
-  double shaft_imbalance;    ///< F_f - F_r + d P [N]
+  double shaft_imbalance;    ///< F_f - F_r + d P, with the external load P [N]
   double seat_imbalance;     ///< imbalance of the rear set's seat, in the unit of Arrangement::Seat
   double residual;           ///< largest scaled imbalance [1]
   double merit;              ///< sum of squares of the scaled imbalances

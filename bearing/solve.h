@@ -18,8 +18,7 @@ enum class SolveStatus {
 /// Returns the name of the status in the JSON results, such as "no_equilibrium".
 [[nodiscard]] std::string_view name(SolveStatus status);
 
-/// Outcome of a solve. A new report states a failure. Only the solver changes the report to a
-/// success.
+/// Outcome of a solve. A new report has the status `not_run`. Only the solver sets `converged`.
 struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
   int iterations = 0;       ///< Newton steps, summed over all stages

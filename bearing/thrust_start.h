@@ -25,7 +25,9 @@ class ThrustStatics {
         inner_share_(T(1.0) / constants.inner_stiffness),
         outer_share_(T(1.0) / constants.outer_stiffness) {}
 
-  /// Starts at the outer angle of the previous cotangent. Lanes outside `active` do not change.
+  /// Computes the statics at this cotangent. The iteration starts at the outer contact angle of the
+  /// previous call. Lanes outside `active` keep their outer angle, and possible() is false for
+  /// them.
   [[gnu::always_inline]] void solve(const T& cotangent, const Mask<T>& active) {
     using std::abs, std::cbrt, std::sqrt;
     const T one(1.0), zero(0.0);
@@ -46,7 +48,7 @@ class ThrustStatics {
       T so, co;
       Mask<T> valid = load > zero;
       if constexpr (control == RaceControl::inner) {
-        // P cos αo - R sin αo = To: turn (P, R) back by asin(To/ρ).
+        // P cos αo - R sin αo = To: turn (P, R) back by asin(To/|(P, R)|).
         const T inv = one / sqrt(thrust_ * thrust_ + radial * radial);
         const T sin_turn = ti * inv;
         valid = valid && sin_turn < one;
@@ -99,15 +101,17 @@ template <typename T>
   return root * (cube + 2.0 * x) / (2.0 * cube + x);
 }
 
-/// Finds the thrust start by Newton's method in c = cos αi and the orbital speed m:
+/// Finds the thrust start by Newton's method in c = cos αi and the orbital speed ratio m:
 ///
-///   E = Lo cos αo + Li c - R = 0,   m = F(c, cos(αi - αo)),   R the radial distance of the grooves
+///   E = Lo cos αo + Li c - R = 0,   m = F(c, cos(αi - αo))
 ///   t = cot αo = (Qi c + 1.4 Fc)/P,   ∂t/∂c = 1/sin³ αi,   ∂t/∂m = 2.8 C m/P
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
-/// Inner control uses the same slopes, which then neglect the change of the gyroscopic couple. The
-/// last step follows the slopes (sin αi to second order); the equations are not evaluated after
-/// this step. Most loads need two evaluations. Returns true in the lanes with a result.
+/// Lo and Li are the distances from the ball centre to the outer and the inner groove centre, R is
+/// the radial distance of these groove centres, and F is cage_speed_ratio(). Inner control uses the
+/// same slopes, which then neglect the change of the gyroscopic couple. The last step follows the
+/// slopes (sin αi to second order); the equations are not evaluated after this step. Most loads
+/// need two evaluations. Returns true in the lanes with a result.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
@@ -162,7 +166,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     const T li = c.inner_radius + inner_approach, lo = c.outer_radius + outer_approach;
     const T excess = lo * co + li * ci - free.radial;
 
-    // Slopes of αo over c and m, and with it of Lo.
+    // Derivatives of αo, and from them of Lo, with respect to c and m.
     const T flatter = ci * inv_si, inv_si2 = inv_si * inv_si, so2 = so * so;
     const T t_c = inv_si2 * inv_si;
     const T fc_m = 2.0 * c.full_centrifugal * m;
@@ -174,7 +178,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     const T li_c = (2.0 / 3.0) * inner_approach * ci * inv_si2;
     const T e_c = li + li_c * ci + lo * co_t * t_c + co * lo_c;
     const T e_m = lo * co_t * t_m + co * lo_m;
-    // Slopes of F - m over c and m.
+    // Derivatives of F - m with respect to c and m.
     const T cd = ci * co + si * so, sd = si * co - ci * so;
     const T inv = one / (one + cd);
     T ratio, ratio_c, ratio_t;
@@ -215,9 +219,9 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
 }
 
 /// Finds the thrust start. Lanes in which quick_thrust_start() fails solve one equation in cot αi
-/// by a bracketing secant method: the sum of the radial distances equals the radial distance of the
-/// groove centres. Returns false in lanes without a root, which have no equilibrium under pure
-/// thrust. Lanes with a root keep this root while other lanes continue.
+/// by a bracketing secant method: Lo cos αo + Li cos αi equals the radial distance of the groove
+/// centres. Returns false in lanes without a root, which have no equilibrium under pure thrust.
+/// Lanes with a root keep this root while other lanes continue.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {

@@ -9,8 +9,8 @@ namespace raceway::bearing {
                          double unit, std::string_view unit_name);
 
 /// Throws std::invalid_argument unless lower <= value <= upper. NaN is treated as missing. The
-/// message gives name, value and range in the unit shown: `ball_diameter = -12 mm: must be from 0.5
-/// to 200 mm`.
+/// message gives name, value and range in the unit `unit_name`, for example `ball_diameter = -12
+/// mm: must be from 0.5 to 200 mm`. `unit` is the size of this unit in SI units.
 inline void require_between(std::string_view name, double value, double lower, double upper,
                             double unit, std::string_view unit_name) {
   if (!(value >= lower && value <= upper)) refuse(name, value, lower, upper, unit, unit_name);

@@ -8,12 +8,12 @@
 #include "bearing/simd_kernel.h"
 #include "bearing/thrust_start.h"
 
-// Included by one source for each instruction set. The linker must not merge code compiled for
-// different sets, so each function is templated on T or always inlined. (xsimd's reduction of very
-// large angles is an exception; contact angles never reach it.)
+// One source file for each instruction set includes this header. The linker must not merge code
+// compiled for different sets, so each function is templated on T or always inlined. (xsimd's
+// reduction of very large angles is an exception, but contact angles are never so large.)
 namespace raceway::bearing {
 
-/// Memory of a kernel, kept between calls. One per thread.
+/// Memory of a kernel. Each thread has one such object and uses it again in later calls.
 template <typename T>
 struct KernelMemory {
   RingNewton<T> newton;
@@ -67,7 +67,7 @@ class KernelRun {
     const NewtonLimits limits{.tolerance = call_.tolerance, .steps = most_steps};
     std::size_t next = 0, working = 0;
     for (std::size_t i = 0; i < width; ++i) {
-      // A lane without work repeats any point.
+      // A lane without work computes the first point of the call again.
       copy_lanes(memory_.newton.point, i, call_.blocks[0].points, 0);
       point_of_[i] = none;
       working += begin(i, next);
