@@ -139,8 +139,8 @@ class Arrangement {
 struct LiftOff {
   double front = unset;  ///< load at which the front set becomes unloaded
   /// Load at which the rear set becomes unloaded. The value is NaN without a rear set (tandem), if
-  /// a spring of constant force keeps the set loaded, or if this load exceeds static_limit_pressure
-  /// in the front set.
+  /// a spring of constant force keeps the set loaded, or if the pressure in the front set exceeds
+  /// static_limit_pressure under this load.
   double rear = unset;
 };
 

@@ -36,8 +36,8 @@ struct ScannedSet {
 ///           scan uses a table of balls over these positions.
 /// Domain:   inner control, speed > 0, two balls or more as unknowns. `direction` is the azimuth of
 ///           the radial load [rad]. Displacements perpendicular to this load are not tested.
-/// Accuracy: the scan misses a set that occurs only between nodes. docs/solver.md gives the
-///           frequency.
+/// Accuracy: the scan misses a set that occurs only between nodes. docs/solver.md gives the share
+///           of missed equilibria.
 /// Cost:     a few milliseconds for a spindle bearing, see docs/speed.md.
 [[nodiscard]] std::vector<ScannedSet> scan_contacts(const RingSystem& system, double direction);
 

@@ -102,7 +102,7 @@ struct RingPoint {
   T load[5];                ///< moments divided by the lever [N]
   T load_scale;             ///< largest of the loads [N]
   T ball_scale;             ///< load_scale / Z [N]
-  T rounding;               ///< largest residual from the rounding of lengths [1]
+  T rounding;               ///< largest residual that rounding errors of lengths cause [1]
 };
 
 /// Returns the point of a bearing at rest without load.

@@ -16,7 +16,7 @@ namespace raceway::fit {
 struct CostlyFit {
   SeparableFit fit{};
   Eigen::MatrixXd slope{};
-  /// State at which this fit started; null for a fit that continues another.
+  /// Point at which this fit started; null for a fit that continues another fit.
   std::shared_ptr<const CostlyFit> begin{};
 };
 
@@ -52,8 +52,8 @@ class CostlyProblem {
   /// parameters that give the candidates their sizes. `initial` contains start values of all
   /// parameters, with sizes that are not neutral. If a size ends at a bound, or the misfit falls by
   /// less than 10 %, a second fit begins at the start of `base`: the parameters of `base` may have
-  /// compensated for the missing effect. The second fit runs only if this start is far away and the
-  /// derivatives predict a gain.
+  /// compensated for the missing effect. The second fit runs only if this start is far from the
+  /// parameters of `base` and the derivatives predict a gain.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues `fit`, a fit of all parameters, until `end`.
@@ -68,13 +68,13 @@ class CostlyProblem {
   /// a smaller misfit than `*better`, it replaces `*better`.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
-  /// `slope` contains derivatives with respect to scaled parameters. `is_fresh` is true if they are
-  /// differences at `best`.
+  /// Continues the fit from `best` until `end`. `slope` contains derivatives with respect to scaled
+  /// parameters. `is_fresh` is true if these derivatives are difference quotients at `best`.
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
   /// Switches the candidates on at the end of another fit, and computes the derivatives with
-  /// respect to their sizes. The result begins at the best of the points at which the
-  /// readings were predicted for these derivatives.
+  /// respect to their sizes. The readings are predicted at several points for these derivatives;
+  /// the result begins at the best of these points.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;

@@ -13,8 +13,8 @@ inline constexpr record::Channel dwell_rows{
     .name = "dwell_rows", .words = "rows of a dwell", .role = record::Role::deviation};
 inline constexpr record::Channel dwell_last_line{
     .name = "dwell_last_line", .words = "last line of a dwell", .role = record::Role::deviation};
-/// Number of the operating state. Pieces of one dwell have the same number, and so have dwells with
-/// equal settings that are separated only by rows outside dwells.
+/// Number that identifies the operating state. Pieces of one dwell have the same number. Dwells
+/// with equal settings have the same number if only rows outside dwells separate them.
 inline constexpr record::Channel dwell_state{
     .name = "dwell_state", .words = "state of a dwell", .role = record::Role::deviation};
 /// Standard deviation of the mean reading of a dwell, from the scatter of its rows, divided by the
@@ -44,10 +44,10 @@ struct Averaged {
 /// equal settings (temperatures may drift) and at most two minutes between rows. The result has one
 /// row for each dwell, with the means of inputs, time and readings. A dwell in which a temperature
 /// changes by more than 1 K is cut into pieces with a smaller change, and each piece gives one row.
-/// The function does not average the rows of a ramp, on which a setting moves all the time. Records
-/// at a single operating point, with declared standard deviations, or with more than half of the
-/// rows outside dwells are not averaged. The readings of a dwell may be correlated. The mean of m
-/// readings has the variance
+/// The function does not average the rows of a ramp, in which a setting changes all the time.
+/// Records at a single operating point, with declared standard deviations, or with more than half
+/// of the rows outside dwells are not averaged. The readings of a dwell may be correlated. The mean
+/// of m readings has the variance
 ///
 ///   s² [ w/m + (1 - w)/m² sum_ik φ^|i-k| ]
 ///

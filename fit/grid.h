@@ -5,7 +5,7 @@
 namespace raceway::fit {
 
 /// Returns `count` values from low to high. They have equal ratios if low > 0 and high > 3 low,
-/// otherwise equal steps. If the range is at most 0.1 % of high, the result is its middle.
+/// otherwise equal steps. If the range is at most 0.1 % of high, the only value is its middle.
 [[nodiscard]] std::vector<double> grid(double low, double high, int count);
 
 }  // namespace raceway::fit

@@ -18,7 +18,8 @@ using record::Record;
 /// of powers of the inputs.
 struct Surface {
   struct Input {
-    /// Input in each row, for example as logarithm; the misfit is smooth in it.
+    /// Value of the input in each row, or for example its logarithm. The misfit is a smooth
+    /// function of these values.
     std::vector<double> values;
     double least = 0.0;  ///< an input with a smaller range is treated as constant
   };
@@ -31,7 +32,7 @@ struct Surface {
 /// rows for all terms, the first terms are used.
 struct Saturation {
   Surface surface{};
-  std::vector<const Channel*> levels{};  ///< inputs whose levels each get a free value
+  std::vector<const Channel*> levels{};  ///< inputs; each of their levels is a term of its own
   bool levels_before_candidates = false;
   /// True if every candidate changes the readings in proportion to its size. The change for a small
   /// size (Screened::scores) then gives the change for every size.
@@ -132,7 +133,7 @@ class Judged {
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
   /// Returns the divisions of the rows into blocks for hold-out tests. Default: one division for
   /// each input that varies, with its levels or up to eight ranges as blocks. If there are fewer
-  /// than three, the runs are another division.
+  /// than three divisions, the runs are another division.
   [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
 
   // Next measurements.

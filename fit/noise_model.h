@@ -17,11 +17,11 @@ namespace raceway::fit {
 /// s_i is the standard deviation of reading y_i, and n_i the value of the swept input, usually the
 /// speed. For single rows, a_i is 1. For means over dwells, a_i comes from the scatter within the
 /// dwell, and this part of the noise is independent of other readings. b_i is the change of reading
-/// i when inputs that scatter change by the width of a level. a and b are divided by their RMS.
-/// Whitening describes the correlation. If standard deviations are declared, they give the relative
-/// sizes of all s_i. The noise is estimated from the residuals of a saturated regression
-/// (Saturation). The misfit of a physical model is never used, because missing physics would then
-/// appear as noise.
+/// i when each input that scatters changes by its step (record::step_of()). a and b are divided by
+/// their RMS. Whitening describes the correlation. If standard deviations are declared, they give
+/// the relative sizes of all s_i. The noise is estimated from the residuals of a saturated
+/// regression (Saturation). The misfit of a physical model is never used, because missing physics
+/// would then appear as noise.
 struct NoiseModel {
   /// Proportional part of the standard deviation, divided by the reading, at n_max [1].
   double relative = 0.0;
@@ -72,7 +72,8 @@ struct NoiseModel {
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
-/// Parts of the noise model. A part that is false is not used, to study its influence.
+/// Parts of the noise model. To study the influence of a part, set it to false; it is then not
+/// used.
 struct NoiseOptions {
   bool correlation = true;
   bool runs = true;
@@ -87,8 +88,8 @@ struct ChannelReadings {
   /// Declared standard deviations [SI]; empty unless every reading has one.
   Eigen::VectorXd std{};
   bool known = false;  ///< true if `std` is as good as exact (Column::known)
-  /// Change of each reading when inputs that scatter change by the width of a level [SI]; empty if
-  /// no input scatters.
+  /// Change of each reading when each input that scatters changes by its step (record::step_of()),
+  /// as root of the sum of squares [SI]; empty if no input scatters.
   Eigen::VectorXd slope{};
   /// Standard deviation of each mean over a dwell, up to a common factor [1]; empty if rows are not
   /// means.

@@ -78,9 +78,10 @@ class Separable {
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;
-  /// Returns how far the misfit falls if the linear parameter `size` is fitted, for each value in
-  /// `tried` of the bending parameter `place`. `place` has an influence only if `size` is not zero.
-  /// The other linear parameters are refitted; the other bending parameters keep their values.
+  /// Returns the fall of the misfit if the linear parameter with the index `size` is fitted, for
+  /// each value in `tried` of the bending parameter with the index `place`. That bending parameter
+  /// has an influence only if the linear parameter is not zero. The other linear parameters are
+  /// refitted; the other bending parameters keep their values.
   [[nodiscard]] std::vector<double> falls(Eigen::VectorXd values, std::size_t size,
                                           std::size_t place,
                                           const std::vector<double>& tried) const;

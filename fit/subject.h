@@ -158,8 +158,8 @@ class Subject : public Judged {
       const std::shared_ptr<const void>& prepared) const = 0;
 
   /// Returns a copy that stores facts about the whole record, for example the temperature of the
-  /// coldest row; null if the model needs none. It is called once, before rows are removed.
-  /// Default: null.
+  /// coldest row; null if the model needs none. The program calls this function once, before it
+  /// removes rows. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> informed_by(const Record& record) const;
 
   // Parameters.

@@ -73,8 +73,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// True if model files give this parameter of a law in the table [lubricant].
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
-/// Returns the bearing data that the law uses, as keys of a model file without unit. Other bearing
-/// data do not change the moments.
+/// Returns the bearing data that the law uses, as keys of a model file without the unit suffix.
+/// Other bearing data do not change the moments.
 ///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
 ///   table:    no data; the list is empty

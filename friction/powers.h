@@ -11,10 +11,11 @@ namespace raceway::friction {
 ///
 ///   M0 = 1e-7 f0 300000^(2/3) (max(ν n, 2000)/300000)^a (P/P_m)^b d_m³
 ///
-/// ν n is in mm²/s rpm and d_m in mm, as in palmgren_viscous_moment(). P is the load f1_load(), and
-/// P_m is medium_load(). With a = 2/3 and b = 0 the moment is Palmgren's for ν n >= 2000. The
-/// reference values 300 000 and P_m make f0 nearly independent of the exponents in a fit. The load
-/// moment of the law is PalmgrenLoad; its exponent 1 + y is fitted too.
+/// ν n is in mm²/s rpm and d_m in mm, as in palmgren_viscous_moment(). a and b are the fitted
+/// exponents. P is the load f1_load(), and P_m is medium_load(). With a = 2/3 and b = 0 the moment
+/// is Palmgren's for ν n >= 2000. The reference values 300 000 and P_m make f0 nearly independent
+/// of the exponents in a fit. The load moment of the law is PalmgrenLoad; its exponent 1 + y is
+/// fitted too.
 ///
 /// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47
 ///           [BibouletHoupert2010]. The exponents of a bearing have no published values; they are

@@ -35,7 +35,9 @@ struct Approximation {
   fit::SeparableFit fit{};
   /// Held-out residual of each mean, reading minus prediction [SI]; NaN: not held out.
   std::vector<double> held_out{};
-  double rms = unset;  ///< RMS of the weighted residuals, in tolerances if these are known
+  /// RMS of the weighted residuals. A residual is divided by the tolerance of its channel if it is
+  /// known; otherwise it is in SI units.
+  double rms = unset;
   /// RMS of the weighted held-out residuals; NaN if no block can be held out.
   double rms_held_out = unset;
   /// `rms` and `rms_held_out` of each channel of Subject::measured(), in units of its tolerance;
@@ -102,8 +104,8 @@ struct ApproximationErrors {
   double condition = unset;  ///< condition number of the derivatives, with columns of length 1 [1]
   double correlation_time = unset;  ///< correlation time of the residuals [s]
   double effective = unset;         ///< number of effectively independent means
-  /// Variance of the weighted residual of a mean, multiplied for the correlation with its
-  /// neighbours.
+  /// Variance of the weighted residual of a mean, multiplied by a factor for the correlation with
+  /// neighbouring means.
   double variance = unset;
 };
 [[nodiscard]] ApproximationErrors errors_of(const Approximation& approximation,

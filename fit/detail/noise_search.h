@@ -15,8 +15,8 @@ namespace raceway::fit {
 /// the variance has its most likely value.
 class RestrictedFit {
  public:
-  /// `deviation` is the difference between the readings and any fit of the columns. This fit
-  /// changes only the rounding.
+  /// `deviation` is the difference between the readings and any fit of the columns. The choice of
+  /// this fit changes only rounding errors.
   RestrictedFit(const Whitening& whitening, const Eigen::MatrixXd& columns,
                 const Eigen::VectorXd& deviation);
 
@@ -88,7 +88,7 @@ class NoiseSearch {
     Eigen::VectorXd freedom;   ///< 1 - leverage of each row
   };
   static Regression regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
-  /// Returns relative standard deviations of some of the readings.
+  /// Returns relative standard deviations of the readings to which `parts` belongs.
   static Eigen::VectorXd shape(const Shares& shares, const Parts& parts,
                                const Eigen::VectorXd& widening);
   static Eigen::VectorXd of_rms_one(const Eigen::VectorXd& v);
@@ -97,13 +97,13 @@ class NoiseSearch {
   [[nodiscard]] double misfit(double phi, double run_share, const Shares& shares) const {
     return restricted(phi, run_share, shares).misfit();
   }
-  /// Returns the parts at the rows of a search.
+  /// Returns the parts for the readings that the search uses.
   [[nodiscard]] Parts some_parts() const;
   /// Returns the share of each standard deviation that neighbours can have in common. This share
-  /// excludes the scatter within a dwell and the scatter of an input. For single rows, nothing is
-  /// excluded.
+  /// excludes the scatter within a dwell and the scatter of an input. The result is empty for
+  /// single rows and for declared standard deviations, because nothing is then excluded.
   [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const;
-  /// Returns the size of a reading, including the growth of the noise with the swept input.
+  /// Multiplies each reading by the growth factor (n/n_max)^p of NoiseModel.
   [[nodiscard]] Eigen::VectorXd grown(const Eigen::VectorXd& reading) const;
   /// Factor by which each standard deviation exceeds the sum of its parts.
   [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
@@ -115,14 +115,13 @@ class NoiseSearch {
   double find_shares(const std::vector<Shares>& list);
   /// Returns the shares whose -2 ln L is below a limit, for the current memory.
   [[nodiscard]] std::vector<Shares> shares_below(double limit) const;
-  /// Returns -2 ln L of each of these shares plus its cost. The value is infinite for shares that
-  /// are certainly above `limit`. With costs, the limit falls to the least value that was found.
+  /// Returns -2 ln L plus cost for each of these shares. The value is infinite for shares that are
+  /// certainly above `limit`. If costs are given, the limit falls to the least value found so far.
   [[nodiscard]] std::vector<double> values(const std::vector<Shares>& list,
                                            const std::vector<double>& costs, double limit) const;
   [[nodiscard]] Variances variances_of(const std::vector<Shares>& list) const;
-  /// Finds the growth of the relative part with the swept input. Each growth has its own doubtful
-  /// readings. Each doubtful reading adds a cost to -2 ln L, which depends on the rarity of this
-  /// reading.
+  /// Finds the exponent by which the relative part grows with the swept input. For each exponent,
+  /// the function marks the possible outliers again, and each of them adds a cost to -2 ln L.
   void find_growth();
   /// Quick test: fits the logarithms of the residuals of the saturated regression as a function of
   /// the logarithm of the swept input. ln |z| of a normal variable has a standard deviation of
@@ -132,9 +131,9 @@ class NoiseSearch {
   /// so they are not outliers.
   void spare_levels();
   /// Marks readings that may be outliers, with a regression of few columns. Outliers cannot pull
-  /// this regression towards them. With half as many columns as rows, they could. The regression
-  /// starts from least absolute deviations and reweights by Tukey's biweight. find_outliers() later
-  /// removes the wrong suspects.
+  /// this regression towards them, as they can if there are half as many columns as rows. The
+  /// regression starts from least absolute deviations and reweights by Tukey's biweight.
+  /// find_outliers() later removes the wrong suspects.
   void suspect_outliers();
   void find_outliers();
   /// Finds the size of the scatter in each joined record, because days and sensors differ. All
@@ -149,7 +148,7 @@ class NoiseSearch {
   void search_memory(bool timed, bool runs);
   /// Returns -2 ln L including the cost of memory and parts.
   [[nodiscard]] double value() const;
-  /// Returns Whitening::run_unit for these standard deviations.
+  /// Returns the argument `run_unit` of Whitening for these standard deviations.
   [[nodiscard]] double run_unit(const Eigen::VectorXd& std) const;
   /// Finds the common offset of the pieces of one dwell. The offset competes with the correlation
   /// between neighbours, so the search varies both together.

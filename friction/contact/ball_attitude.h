@@ -40,8 +40,10 @@ class TurningBall;
 ///   Σ τ_x equal at both contacts,   M = J ω_m x̂ × w
 ///   T_i + T_o = (2/D) J ω_m ω_R sin β   (component of M along the orbit)
 ///
-/// M is the moment of traction about the centre of the ball, J the moment of inertia of the ball,
-/// x̂ the direction of the bearing axis, and w the rotation of the ball relative to the cage.
+/// Σ τ_x is the traction force of one contact along the rolling direction. T_i and T_o are the
+/// transverse friction forces. M is the moment of traction about the centre of the ball, J the
+/// moment of inertia of the ball, x̂ the direction of the bearing axis, and w the rotation of the
+/// ball relative to the cage.
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β. Traction is the
 /// gradient of a potential that is convex in these speeds. The gyroscopic moment adds an
@@ -51,8 +53,8 @@ class TurningBall;
 /// smoothing.
 ///
 /// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
-///           the ball turns until its gyroscopic moment vanishes (β near 0); under boundary
-///           friction it approaches race control.
+///           the rotation axis tilts until the gyroscopic moment vanishes (β near 0); under
+///           boundary friction the rotation approaches race control.
 /// Domain:   speed >= 0; at standstill, the result is the limit for slow rotation. The balls are
 ///           loaded. A ball without contact at the inner race rotates as under outer control.
 /// Accuracy: forces balance to 1e-9 of the sum of |τ|; the power input equals the power loss to

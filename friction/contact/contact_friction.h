@@ -70,8 +70,8 @@ struct RaceFriction {
     return contact(load, motion, film_speed, centre);
   }
 
-  /// Returns the friction of a contact from `c`, the result of film(), and from the traction of its
-  /// sliding.
+  /// Returns the friction of a contact from `c`, the result of film(), and `traction`, the solution
+  /// of the sliding contact.
   [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
                                         double film_speed, const Traction& traction) const {
     c.sliding = traction.power;

@@ -91,9 +91,9 @@ struct RollingEllipse {
 /// Domain:   L >= 0; φ = 1 at L = 0. The measurements reach about L = 5. Spindle bearings reach L =
 ///           10, where the formula is extrapolated and reduces the rolling force by nearly two
 ///           thirds.
-/// Trap:     above about L = 40 (flooded: 300) the product of φ and the force of a limited inlet
-///           decreases when the viscosity increases. This decrease occurs with thick oil at the
-///           highest speeds, where there are no measurements.
+/// Trap:     above about L = 40 for limited inlets and L = 300 for flooded inlets, the product of φ
+///           and the rolling force decreases when the viscosity increases. This decrease occurs
+///           with thick oil at the highest speeds, where there are no measurements.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {
   if (!(loading > 0.0)) return 1.0;
   return 1.0 / (1.0 + 0.29 * std::pow(loading, 0.78));

@@ -10,7 +10,8 @@
 namespace raceway::friction::contact {
 
 /// Slip between ball and race in one contact, with x along rolling and y across. ω_roll is the
-/// relative rotation about the tangent across rolling, and ω_s about the contact normal.
+/// relative rotation about the tangent across rolling, and ω_s about the contact normal. R is the
+/// radius of the deformed contact across rolling (ContactShape).
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x
 struct SlipMotion {

@@ -135,7 +135,7 @@ class TurningBall {
   }
 
   /// Power taken from the shaft by traction, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) with h =
-  /// y²/(2 R) [W].
+  /// y²/(2 R) and the spin moment M_s of the inner contact [W].
   [[nodiscard]] double shaft_power(const SlipForces& inner) const {
     return speed_ * (inner.force[0] * inner_radius_ + inner.force[2] * ci_ + inner.force[3] * si_);
   }

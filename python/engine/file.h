@@ -21,13 +21,13 @@ class EngineFile {
 
   /// Notes from reading the file.
   [[nodiscard]] const Heard& heard() const { return heard_; }
-  /// Returns the file for a question.
+  /// Returns the file as an input of a calculation.
   [[nodiscard]] virtual session::Source source() const = 0;
   [[nodiscard]] virtual session::Part part() const = 0;
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
-  /// Returns the numbers that a fit may change.
+  /// Returns the parameters, which a fit may change.
   [[nodiscard]] virtual std::vector<record::Parameter> parameters() const = 0;
-  /// Adds data that a file cannot contain to a model.
+  /// Adds to a model what a file cannot contain, such as effects with Python functions.
   virtual void amend(files::ModelFile&) const {}
 
  protected:

@@ -40,7 +40,9 @@ class Progress {
 
 struct Waiting {
   double time_limit = std::numeric_limits<double>::infinity();  ///< [s]
-  py::object progress = py::none();  ///< called with share and step, at most 20 times per second
+  /// Python function that is called with the finished share of the work (0 to 1) and the name of
+  /// the current step, at most 20 times per second; None: no calls.
+  py::object progress = py::none();
 };
 
 /// Runs long work on a separate thread without the interpreter lock, so that other Python threads
@@ -76,7 +78,7 @@ auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
     if (elapsed > waiting.time_limit) out_of_time = cancelled = true;
   }
-  // The cancellation caused an error of cancelled work.
+  // If cancelled work ends with an error, the cancellation caused this error.
   if (error) {
     task.wait();
     throw std::move(*error);

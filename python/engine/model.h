@@ -34,8 +34,8 @@ class EngineModel final : public EngineFile {
     return model::parameters(file_.model);
   }
   void amend(files::ModelFile& file) const override;
-  /// Returns the band from the covariance of its fitted parameters, if requested. Throws
-  /// text::InputError if there is no covariance.
+  /// Returns the error band of the model from the covariance of the fitted parameters; empty unless
+  /// `wanted`. Throws text::InputError if the model file has no covariance.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// Returns "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;

@@ -17,7 +17,7 @@ struct OwnEffect {
   effects::UserMadeEffect described;
   py::object function;
 
-  /// Makes an effect of a model with these numbers.
+  /// Returns the effect for a model, with these numbers as parameters.
   [[nodiscard]] effects::Effect effect() const;
 };
 

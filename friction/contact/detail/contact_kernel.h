@@ -5,7 +5,7 @@
 namespace raceway::friction::contact {
 
 // Interface of many_contacts.cpp to contact_kernel_*.cpp: the laws of contact_friction.h for
-// several contacts in parallel. One source is compiled for each instruction set.
+// several contacts in parallel. There is one source file for each instruction set.
 
 inline constexpr std::size_t contacts_of_block = 16;
 inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;

@@ -5,7 +5,8 @@
 #include "friction/contact/detail/contact_kernel.h"
 #include "friction/contact/detail/vector_math.h"
 
-// Included by one source for each instruction set; each function is templated on its vector type.
+// One source file for each instruction set includes this header. Each function is templated on its
+// vector type.
 namespace raceway::friction::contact {
 
 /// Integration points in single precision, with y in units of a and x in units of b.

@@ -4,8 +4,8 @@
 
 namespace raceway::friction::contact {
 
-// Interface of film_traction.cpp to traction_pass_*.cpp. One source, compiled for each instruction
-// set.
+// Interface of film_traction.cpp to traction_pass_*.cpp, which contain the same code compiled for
+// each instruction set.
 
 /// Points of the unit circle in rows of sixteen for vectorization. If the ball spins, a row has the
 /// angles of one ring. If it does not spin, a row has the rings at one angle, and the points at y <

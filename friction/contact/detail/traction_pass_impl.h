@@ -5,8 +5,8 @@
 #include "friction/contact/detail/traction_pass.h"
 #include "friction/contact/detail/vector_math.h"
 
-// Included by one source for each instruction set. The linker must not merge code compiled for
-// different sets, so each function is templated on V or always inlined.
+// One source file for each instruction set includes this header. The linker must not merge code
+// compiled for different sets, so each function is templated on V or always inlined.
 namespace raceway::friction::contact {
 
 template <class V>
