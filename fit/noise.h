@@ -64,15 +64,15 @@ struct Repeatability {
 
 /// Returns the standard deviation of single readings [SI], from repeatability() if it finds stops.
 /// Otherwise, it comes from the distances of readings from the line between their neighbours in
-/// time. It is then NaN for fewer than 32 readings, or if the usual time step exceeds 120 s,
-/// because noise and real motion cannot be separated.
+/// time. It is then NaN if fewer than 30 readings have both neighbours in their run. It is also NaN
+/// if the median time step exceeds 120 s, because noise and real motion cannot be separated.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 
 /// Returns an upper bound for the standard deviation of readings that are far apart in time [SI].
 /// The bound uses the quarter of the readings closest to the line between their neighbours. If the
-/// machine was at rest for a quarter of the time, this quarter shows only noise. NaN for fewer than
-/// 12 readings.
+/// machine was at rest for a quarter of the time, this quarter shows only noise. The bound is NaN
+/// if fewer than 10 readings have both neighbours in their run.
 [[nodiscard]] double noise_of_calm_readings(const record::Record& record,
                                             const record::Channel& measured);
 

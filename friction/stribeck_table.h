@@ -116,7 +116,7 @@ struct TablePosition {
 };
 
 struct InterpolatedMoment {
-  double friction_moment = unset;  ///< [N m]; NaN if a grid point for the interpolation has no value
+  double friction_moment = unset;  ///< [N m]; NaN if a required grid point has no value
   bool clamped = false;            ///< true if the position was outside and moved to the edge
   [[nodiscard]] bool has_value() const { return !std::isnan(friction_moment); }
 };

@@ -50,8 +50,8 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Returns the columns as arrays of numpy.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
-/// Returns the options of check, calibrate, diagnose and add from keyword arguments of Python,
-/// except options that belong to models.
+/// Returns the options of calibrate, diagnose and similar functions from keyword arguments of
+/// Python, except options that belong to models.
 [[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
 
 /// Runs `work` as a long call of Python and adds the messages of `work` to the answer.
