@@ -54,11 +54,11 @@ struct Repeatability {
 };
 
 /// Finds the stops of a record and the scatter of the readings within a stop. A stop is a group of
-/// at most 30 readings of one run. The breaks between groups are much longer than those within a
+/// readings of one run. The breaks between groups are much longer than the time steps within a
 /// group. A straight line is subtracted from groups of 4 or more readings, because the machine may
-/// move during the stop. The result is empty unless at least two groups have two or more readings,
-/// these groups contain at least half of all readings, and the scatter has at least 3 degrees of
-/// freedom.
+/// move during the stop. The result is empty if a group has more than 30 readings. It is also empty
+/// unless at least two groups have two or more readings, these groups contain at least half of all
+/// readings, and the scatter has at least 3 degrees of freedom.
 [[nodiscard]] Repeatability repeatability(const record::Record& record,
                                           const record::Channel& measured);
 
