@@ -135,7 +135,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     T qi, radial, so, co;
     M possible(true);
     if constexpr (control == RaceControl::inner) {
-      // Both races carry the couple. The outer angle is as in ThrustStatics.
+      // Both races carry the gyroscopic couple. The outer angle is as in ThrustStatics.
       const T ti = 0.2 * c.full_centrifugal * c.gyroscopic * m * (one - m) * si;
       qi = (thrust - ti * ci) * inv_si;
       radial = qi * ci - ti * si + fc;

@@ -40,8 +40,8 @@ struct Approximation {
   double rms = unset;
   /// RMS of the weighted held-out residuals; NaN if no block can be held out.
   double rms_held_out = unset;
-  /// `rms` and `rms_held_out` of each channel of Subject::measured(), in units of its tolerance;
-  /// NaN for a channel without means.
+  /// `rms` and `rms_held_out` for the means of each channel of Subject::measured(); NaN for a
+  /// channel without means.
   std::vector<double> channel_rms{}, channel_held_out{};
   /// Variance of a weighted mean, which determines the weight of priors; 0 without priors.
   double prior_weight = 0.0;

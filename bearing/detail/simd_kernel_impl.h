@@ -87,7 +87,8 @@ class KernelRun {
     }
   }
 
-  /// Gives lane i the next point that has a start. Returns false if no such point is left.
+  /// Gives lane i the next point for which a thrust start was found. Returns false if no such point
+  /// is left.
   bool begin(std::size_t i, std::size_t& next) {
     RingNewton<T>& newton = memory_.newton;
     while (next < call_.count) {

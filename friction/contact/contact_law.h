@@ -109,7 +109,8 @@ struct ContactResult {
 ///
 ///   M = Z (C_D/2) ρ c (π D²/4) (ω_m d_m/2)³/ω,   C_D = 0.45
 ///
-/// c is `oil_fraction`, the share of oil in the free space of the bearing.
+/// ρ is `density`, the density of the oil. c is `oil_fraction`, the share of oil in the free space
+/// of the bearing.
 /// Source:   drag of a sphere at high Reynolds number, c as in commercial programs; from memory,
 ///           not checked against a print.
 /// Domain:   speed > 0; the moment is 0 at standstill. Accuracy: a factor of 3. The drag of the

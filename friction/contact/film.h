@@ -57,7 +57,8 @@ struct Film {
 ///
 ///   φ_T = 1/(1 + 0.1 (1 + 14.8 S^0.83) L^0.64)
 ///
-/// The slip ratio S = |u1 - u2|/u is zero for pure rolling.
+/// L is thermal_loading(). The slip ratio S = |u1 - u2|/u of the speeds u1 and u2 of both surfaces
+/// is zero for pure rolling.
 /// Source:   a published report on roller bearings; the original paper was not checked. Other texts
 ///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which gives a
 ///           thinner film.

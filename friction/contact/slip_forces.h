@@ -34,8 +34,8 @@ struct SlipForces {
   double pressure_slip = 0.0;     ///< Σ p |v| [N m/s]
 };
 
-/// One loaded contact ellipse with any combination of the four slip components. TractionField is
-/// for given rolling and spin.
+/// One loaded contact ellipse with any combination of the four slip components. In TractionField,
+/// rolling and spin are fixed.
 ///
 /// Source:   slip field of TractionField.
 /// Domain:   Q > 0; any motion.

@@ -17,11 +17,12 @@ struct KernelRace {
   bool flooded, starves;  ///< true: inlets are flooded; true: inlet_over_b is given
   // Ellipse and motion.
   double unit_major_axis, ellipse_ratio, pressed_radius;
-  // isothermal_film(): h = factor · (η u)^n α^m Q^-q.
+  // isothermal_film(): h = factor · (η u)^n α^m Q^-q. asperity_share(): roughness, B and C.
   double central_factor, minimum_factor, roughness, asperities_B, asperities_C;
-  // starvation_factors(): m* - 1 = factor · (h/b²)^n.
+  // starvation_factors(): m - 1, and the factors of m* - 1 = factor · (h/b²)^n.
   double inlet_excess, starved_central, starved_minimum;
-  // rolling_force(): rigid and elastic limits, M; powers of U, W and G as in the law.
+  // rolling_force(): factors of IVR, EHL and M, whose powers of U, W and G are as in the law.
+  // Factors of ContactLaw on rolling resistance and hysteresis.
   double rigid_factor, elastic_factor, moes_factor, rolling_factor, hysteresis_factor;
   // FilmShear.
   double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
