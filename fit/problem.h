@@ -23,7 +23,8 @@ struct Screened {
   double unit_size = 1.0;  ///< typical difference between the size and its neutral value
   /// Change of the readings for a size of `unit_size`, linearised at the neutral size [SI, not
   /// whitened]. The matrix has one column for each tested value of the shape parameters. Columns
-  /// without a change are left out.
+  /// without a change are left out. If no small size changes a reading, the change for the largest
+  /// size seen in practice is scaled to `unit_size`.
   Eigen::MatrixXd scores{};
   /// Change of the readings for the largest size seen in practice [SI]. The matrix has one column,
   /// or none if Saturation::proportional is true.

@@ -17,7 +17,8 @@ struct RowOrder {
   /// no such blocks.
   std::vector<bool> new_block;
   /// True if the first setting only rises or only falls in each of these blocks, a load has a
-  /// different level in each block, and recorded times show longer breaks between blocks.
+  /// different level in each block, and recorded times, if there are any, show longer breaks
+  /// between blocks.
   bool own_levels = false;
   double median_step = 1.0;  ///< median time between rows [s]; 1 without times
   bool has_time = false;     ///< true if `step` comes from recorded times

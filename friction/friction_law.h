@@ -17,9 +17,8 @@ namespace raceway::friction {
 /// (friction/contact/contact_law.h). `table` interpolates a measured table
 /// (friction/torque_table.h). `powers` and `contact_powers` are fitted to measurements
 /// (friction/powers.h). All laws but `contact`, `contact_powers` and `table` are formulas for the
-/// whole bearing. The laws of cylindrical roller bearings have other parameters
-/// (friction/roller_friction.h). In files, the roller laws have the names of the ball laws; the
-/// type of the bearing selects the law.
+/// whole bearing. The laws of cylindrical roller bearings are in friction/roller_friction.h. In
+/// files, the roller laws have the names of the ball laws; the type of the bearing selects the law.
 enum class FrictionLaw {
   palmgren,
   skf,

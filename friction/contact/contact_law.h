@@ -65,11 +65,11 @@ struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
   double mean_slip = unset;  ///< mean sliding speed of all contacts, Σ p |v|/Σ Q [m/s]
-  /// Largest ratio of the friction force that balances the gyroscopic moment to the contact load
-  /// [1].
+  /// Friction force that balances the gyroscopic moment, divided by the contact load: largest value
+  /// of all contacts [1].
   double holding_coefficient = unset;
-  /// Largest ratio of the friction force that balances the gyroscopic moment to the friction of
-  /// film and asperities in the contact [1].
+  /// Friction force that balances the gyroscopic moment, divided by the friction of film and
+  /// asperities in the contact: largest value of all contacts [1].
   double holding_over_traction = unset;
 
   [[nodiscard]] double moment() const { return friction.moment() + drag; }  ///< [N m]
