@@ -11,9 +11,9 @@ namespace raceway::bearing {
 /// positions of ring and balls. The class uses statics only, without a Newton step.
 ///
 /// The axial force of a kept ball at azimuth ψ is a linear function of c = cos(ψ - φ), where φ is
-/// the direction of the load. With locked tilt, this function has the slope at which the ring does
-/// not tilt. For a kept ball with the axial force f, the radial force f_r and its inner groove
-/// centre at radius R:
+/// the argument `direction`: the azimuth of the load, or the opposite azimuth. With locked tilt,
+/// this function has the slope at which the ring does not tilt. For a kept ball with the axial
+/// force f, the radial force f_r and its inner groove centre at radius R:
 ///
 ///   tan αi = f/(f_r + τ),   τ = Ti/sin αi,   Lo cos αo + Li cos αi = R
 ///

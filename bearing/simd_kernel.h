@@ -28,9 +28,10 @@ struct KernelCall {
   BallReport<Eight>* balls;  ///< circle.used() reports for each block
 };
 
-// Newton's method from the closed-form thrust start for many points in parallel, with their
-// reports. The search for single points solves the points that do not converge here. A result does
-// not depend on the other points of the call. One source is compiled for each instruction set.
+// These functions solve many points in parallel by Newton's method from the closed-form thrust
+// start, and report their balls. The search for single points solves the points that do not
+// converge here. A result does not depend on the other points of the call. There is one function
+// for each instruction set.
 void solve_sse2(const KernelCall& call);
 void solve_avx2(const KernelCall& call);
 void solve_avx512(const KernelCall& call);

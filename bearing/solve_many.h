@@ -32,7 +32,8 @@ struct BearingCase {
 /// Points at which Newton's method does not converge are solved like single points. Threads share
 /// the points in fixed chunks. The result of a point depends only on the point and the instruction
 /// set, to the last bit. The number of threads has no influence. The function needs memory for the
-/// results and a fixed amount per thread. Memory for balls in `results` is used again.
+/// results and a fixed amount per thread. Memory for balls that `results` already has is used
+/// again.
 ///
 /// Throws std::invalid_argument if the number of results differs from the number of points, for
 /// points that are out of range, and if the machine does not support `set`.

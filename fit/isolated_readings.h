@@ -12,7 +12,8 @@ namespace raceway::fit {
 
 /// Criteria for isolated readings.
 struct Isolation {
-  /// True: also removes jumps of more than 6 standard deviations while speed and loads are steady.
+  /// True: jumps of more than 6 standard deviations while speed and loads are steady are removed
+  /// too.
   bool steady = true;
   /// Distance from both neighbours that is impossible at any speed, divided by the range of the
   /// readings [1].
@@ -40,7 +41,7 @@ struct Isolated {
 /// First rule, while speed and loads are steady: both neighbours are on the same side of the
 /// reading. The distance of the reading from each neighbour is more than 6 robust standard
 /// deviations and more than three times the distance between the two neighbours. The robust
-/// standard deviation is 1.4826 times the median distance of readings from the middle of their four
+/// standard deviation is 1.4826 times the median distance of readings from the median of their four
 /// neighbours. It is at least 0.3 % of the range of the central 90 % of the readings. A rise after
 /// a standstill, a peak at a change of speed and a lasting jump are not isolated readings. Second
 /// rule, at any speed: the 6 standard deviations are replaced by Isolation::impossible times the

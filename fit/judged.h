@@ -69,7 +69,7 @@ struct Setting {
 struct Axis {
   const Channel* channel = nullptr;
   std::vector<double> levels{};  ///< [SI]; NaN: unchanged
-  bool told = true;  ///< true: sentences name the value; false: only the results contain it
+  bool told = true;  ///< true: printed texts name the value; false: only the JSON results have it
 };
 
 /// Fault of the measurement that the record itself shows, such as a coarse resolution. No parameter

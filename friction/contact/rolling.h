@@ -77,7 +77,8 @@ struct RollingEllipse {
 /// Power lost in the oil of one inlet, P = 2 F u [W], because F acts on both surfaces.
 ///
 /// Source:   derived from the power integral of [BibouletHoupert2010, part 2, eq. 37]. The formula
-///           agrees with the 6 r F of [Balan2015] for three balls between two plates.
+///           agrees with the moment 6 r F of [Balan2015] for three balls between two plates, where
+///           r is the radius of the ball track.
 [[nodiscard]] inline double rolling_power(double force, double speed) {
   return 2.0 * force * speed;
 }

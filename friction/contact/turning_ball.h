@@ -11,8 +11,8 @@
 // Internal to ball_attitude.cpp.
 namespace raceway::friction::contact {
 
-/// Unknowns of the solver [m/s]: slip along rolling at the inner and outer contact centre, slip
-/// across rolling, and ω_R sin β times a length.
+/// Unknowns of the solver [m/s]: slips v_i and v_o along rolling at the inner and outer contact
+/// centre, slip across rolling (equal at both contacts), and ω_R sin β times a length.
 using Slips = std::array<double, 4>;
 
 /// One ball between its races: computes the speeds of the ball from four given slips, and the
@@ -48,6 +48,8 @@ class TurningBall {
   ///
   ///   v_i = (ω - ω_m) ρ_i - (D/2)(A cos αi + B sin αi),   ρ_i = (d_m - D cos αi)/2
   ///   v_o = ω_m ρ_o - (D/2)(A cos αo + B sin αo),         ρ_o = (d_m + D cos αo)/2
+  ///
+  /// A, B and w_T are the components of the ball rotation as in BallAttitude.
   struct Speeds {
     double along, across, orbital, cage;  // A, B, w_T, ω_m
   };

@@ -13,7 +13,7 @@ inline constexpr bool is_double = sizeof(typename V::value_type) == 8;
 template <class V>
 [[gnu::always_inline]] inline V estimated_inverse_root(const V& x) {
 #ifdef __AVX512F__
-  // For this type, xsimd 8 uses instructions that machines with this set do not have.
+  // For this type, xsimd 8 uses instructions that not all machines with AVX-512 have.
   if constexpr (sizeof(V) == 64 && is_double<V>)
     return V(_mm512_rsqrt14_pd(x));
   else if constexpr (sizeof(V) == 64)
