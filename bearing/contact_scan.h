@@ -35,7 +35,8 @@ struct ScannedSet {
 ///           equilibrium of a ball depends only on the position of its inner groove centre, so the
 ///           scan uses a table of balls over these positions.
 /// Domain:   inner control, speed > 0, two balls or more as unknowns. `direction` is the azimuth of
-///           the radial load [rad]. Displacements perpendicular to this load are not tested.
+///           the radial load or, without radial load, the azimuth that the moment loads most [rad].
+///           Displacements perpendicular to this direction are not tested.
 /// Accuracy: the scan misses a set that occurs only between nodes. docs/solver.md gives the share
 ///           of missed equilibria.
 /// Cost:     a few milliseconds for a spindle bearing, see docs/speed.md.
