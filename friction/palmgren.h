@@ -72,8 +72,8 @@ T f1_load(const BearingState<T>& s) {
   return s.f1_load == F1Load::P0 ? static_equivalent_load(s) : palmgren_load(s);
 }
 
-/// Typical load of a spindle bearing [N]: F_b = 1000 N, or the P0 of about the same thrust. A
-/// power law with a fitted load exponent uses it as its reference load.
+/// Typical load of a spindle bearing [N]: F_b = 1000 N or P0 = 200 N, which belong to about the
+/// same thrust. A power law with a fitted load exponent uses it as its reference load.
 [[nodiscard]] constexpr double medium_load(F1Load load) {
   return load == F1Load::P0 ? 200.0 : 1000.0;
 }

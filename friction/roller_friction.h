@@ -116,8 +116,10 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///
 ///   G = Σ 1/(R_i + R_o),   R = ((ln(4 L/b) - 1)/k_ring + ln(2 D/b)/k_roller)/(π L)
 ///
-/// b is the half width of the contact under the line load Q/L. k_ring and k_roller are thermal
-/// conductivities [W/(m K)]. Rollers that touch only one race conduct no heat.
+/// The sum is over the rollers. R is the thermal resistance of one contact, R_i at the inner race
+/// and R_o at the outer race [K/W]. b is the half width of the contact under the line load Q/L.
+/// k_ring and k_roller are thermal conductivities [W/(m K)]. Rollers that touch only one race
+/// conduct no heat.
 /// Source:   derived: a strip source on a half space, and a line source through a cylinder.
 /// Accuracy: the formula agrees with boundary element results to 1 %. In a running bearing, oil and
 ///           rolling motion transfer additional heat.
