@@ -71,7 +71,7 @@ class RingSystem {
 
   std::vector<InnerContact> contacts;  ///< fixed contacts; empty if the physical law decides
   int newton_limit = 40;               ///< largest number of steps in one call of newton()
-  double newton_rise = 4.0;            ///< factor by which a full step may raise the merit [1]
+  double newton_rise = 4.0;            ///< NewtonLimits::rise for the next call of newton() [1]
 
  private:
   bool fail(SolveStatus why);

@@ -83,7 +83,7 @@ class CostlyProblem {
   /// taken from `first`, so no prediction is needed.
   [[nodiscard]] bool gains(const CostlyFit& from, const CostlyFit& first,
                            const std::vector<std::size_t>& sizes) const;
-  /// Scaled values, and the steps that their bounds and the largest step of a fit allow.
+  /// Scaled values of the parameters, and the limits of their next steps.
   struct Range {
     Eigen::VectorXd here, lower, upper;
   };

@@ -104,7 +104,7 @@ class Separable {
     Eigen::MatrixXd weighted, normal;  // weighted columns of length 1, and their products
     Eigen::VectorXd length;
   };
-  /// A prior as an additional reading: the value divided by the std of the prior.
+  /// A prior as an additional reading: the value of the parameter times sqrt(w)/std.
   struct PriorReading {
     Eigen::Index parameter = 0;
     double per_unit = unset;

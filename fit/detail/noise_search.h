@@ -103,7 +103,7 @@ class NoiseSearch {
   /// excludes the scatter within a dwell and the scatter of an input. The result is empty for
   /// single rows and for declared standard deviations, because nothing is then excluded.
   [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const;
-  /// Multiplies each reading by the growth factor (n/n_max)^p of NoiseModel.
+  /// Returns each reading multiplied by the growth factor (n/n_max)^p of NoiseModel.
   [[nodiscard]] Eigen::VectorXd grown(const Eigen::VectorXd& reading) const;
   /// Factor by which each standard deviation exceeds the sum of its parts.
   [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
