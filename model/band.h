@@ -8,9 +8,11 @@
 
 namespace raceway::model {
 
-/// Half width of the 95 % band of predictions, from the uncertainty of the fitted parameters:
+/// Half width of the 95 % band of a prediction, from the uncertainty of the fitted parameters:
 ///
-///   1.96 sqrt(gᵀ C g)      g = ∂y/∂θ, C the covariance of the fit
+///   1.96 sqrt(gᵀ C g)      g = ∂y/∂θ
+///
+/// y is the prediction, θ are the fitted parameters, and C is their covariance.
 ///
 /// The propagation is linear. g comes from central differences with steps of a tenth of a standard
 /// error. The difference is one-sided if a bound or a missing equilibrium prevents one side. The

@@ -19,7 +19,7 @@ struct BearingLife {
   double reference = unset;        ///< reference rating life a1 L10r of ISO/TS 16281 from the ball
                                    ///< loads [s]
   double static_safety = unset;    ///< static safety factor (4.2 GPa/p_max)³; for rollers (4
-                                   ///< GPa/p_max)² [1]
+                                   ///< GPa/p_max)² [1]. p_max: largest contact pressure
   /// True if balls or rollers are of another material than the rings. ISO 281 has no a_ISO for this
   /// case. `modification` is then the value for steel, and `modified` is NaN.
   bool hybrid = false;

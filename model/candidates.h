@@ -18,13 +18,13 @@ namespace raceway::model {
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
 /// Returns an effect as a candidate that `diagnose` tests; empty for an effect without a size
-/// parameter. For a coast-down rig, effects to which all rotating parts contribute have no upper
-/// limit of a plausible size.
+/// parameter. On a coast-down rig, if all rotating parts contribute to the effect, its plausible
+/// size extends up to the bound of the parameter.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 
-/// Describes the measurements that would distinguish effects that explain the data equally well, in
-/// the order of the catalogue and without repetition.
+/// Describes the measurements that would distinguish the effects in `rivals`, which explain the
+/// data equally well. The result is in the order of the catalogue and has no repetitions.
 [[nodiscard]] std::vector<std::string> settling_records(
     effects::Form form, const std::vector<std::vector<std::string>>& rivals);
 

@@ -18,9 +18,9 @@ class FittedModel {
   [[nodiscard]] const Model& model() const { return model_; }
   /// Returns true if there are no parameters to set.
   [[nodiscard]] bool as_entered() const { return places_.empty(); }
-  /// Sets the values in the order of the places. Returns the first stage with values that differ
-  /// from the values of the last keep(). Throws std::invalid_argument for values that the model
-  /// does not accept.
+  /// Sets the parameters to `values`, in the order of `places` in the constructor. Returns the
+  /// first stage whose parameters differ from the values of the last keep(). Throws
+  /// std::invalid_argument for values that the model does not accept.
   [[nodiscard]] Stage set(std::span<const double> values);
   /// Call this function after all predictions were computed with these values, which must be the
   /// values of the last set().

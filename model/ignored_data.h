@@ -10,8 +10,8 @@ namespace raceway::model {
 
 /// Returns the keys among `keys` that do not change the friction torque: neither the base law
 /// (friction::bearing_data()) nor an active effect uses them. An effect that uses the ball
-/// equilibrium uses all keys except the keys of the contact law. The result is empty for the laws
-/// contact and table.
+/// equilibrium uses all keys except the keys of the contact law. For the laws `contact` and
+/// `table`, the function does not check the keys, and the result is empty.
 [[nodiscard]] std::vector<std::string> ignored_by_friction(const Model& model,
                                                            std::span<const std::string> keys);
 

@@ -61,8 +61,9 @@ inline constexpr Limit oil_hot{"hot_oil", 150.0, "C"};
 /// Largest interference over bore. Source: makers allow up to 1/1000 of the shaft diameter (from
 /// memory). At 0.6/1000, the hoop stress of a ring is 127 MPa.
 inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
-/// Largest slope of the bending line for which beam and seats are linear. Spindle ball bearings
-/// tolerate a misalignment of about 0.6 mrad (2 angular minutes, from memory).
+/// Largest slope of the bending line at which the deflections of beam and seats are proportional to
+/// the load. Spindle ball bearings tolerate a misalignment of about 0.6 mrad (2 angular minutes,
+/// from memory).
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
 /// Range of the torque table of a model. Outside the range, the torque at the edge of the table is
 /// used.

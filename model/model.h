@@ -64,8 +64,8 @@ struct Model {
   /// Lubricant supply, such as oil bath; empty if not given. The supply excludes some effects.
   std::optional<friction::Supply> supply = {};
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  /// Load in the formulas of the laws palmgren, powers and contact-powers, and of all laws for
-  /// rollers.
+  /// Kind of load, such as P0, in the formulas of the laws palmgren, powers and contact-powers, and
+  /// of all laws for rollers.
   friction::F1Load f1_load = friction::F1Load::P0;
   std::vector<double> law_values;               ///< parameter values, in the order of
                                                 ///< friction::parameters(law)

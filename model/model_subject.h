@@ -42,8 +42,8 @@ struct Expected {
 /// a shaft.
 ///
 /// User-defined effects that are only candidates (see waiting_effects()) keep their place in the
-/// model, so that addresses agree with the file. These effects have no influence until they are
-/// switched on. A switched-on candidate of the catalogue is added at the end.
+/// model, so that the addresses of parameters agree with the file. These effects have no influence
+/// until they are switched on. A switched-on candidate of the catalogue is added at the end.
 class ModelSubject : public fit::Subject {
  public:
   /// Returns the model as entered by the user, including effects that are only candidates.
@@ -63,8 +63,8 @@ class ModelSubject : public fit::Subject {
   /// the user-defined effects that are only candidates, and data of the model that may be wrong
   /// (own_data()) and are not free.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
-  /// Returns the ids of the effects of the catalogue in the form for the model, of the user-defined
-  /// effects that are only candidates, and of own_data(). Effects that exist only for spindles are
+  /// Returns the ids of three groups: all effects of the catalogue, the user-defined effects that
+  /// are only candidates, and the data of own_data(). Effects that exist only for spindles are
   /// included only for a spindle.
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
@@ -75,7 +75,8 @@ class ModelSubject : public fit::Subject {
                                                          const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;
-  /// See fit::Subject. The text is also empty for an effect that changes no measured channel.
+  /// Explains why the effect cannot occur in the model: see fit::Subject. The text is also empty
+  /// for an effect that changes no measured channel.
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   [[nodiscard]] std::string lacks_levels(const std::string& id,

@@ -77,10 +77,10 @@ struct FrictionPrediction {
 ///   -> ball equilibrium, if an effect needs it or `with_equilibrium` requests it
 ///   lubricant    viscosity of the film and factor on the viscous moment, in the order of the
 ///                catalogue
-///   -> base law at the actual load and the film's viscosity; Palmgren's with the original bearing
+///   -> base law at the actual load and the film's viscosity; palmgren: with the original bearing
 ///   moment       added moments, each computed from the base moments
 ///   -> torque of all bearings of the rig
-///   reading      added to the torque, each computed from the torque before this step
+///   reading      changes of the reading, each computed from the torque before this step
 ///
 /// The order of effects in the model therefore has no influence.
 [[nodiscard]] FrictionPrediction predict_friction(const Model& model,
@@ -99,9 +99,9 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 [[nodiscard]] std::vector<FrictionPrediction> predict_rows(const Model& model,
                                                            const record::Record& record);
 
-/// Returns the share of an added moment for one bearing [1]. The share is 1/bearings for drag on
-/// the rotor of a coast-down rig (effects::Nature::drags_on_the_rotor), and 1 for every other
-/// effect.
+/// Returns the share of the moment of an effect that is added for each bearing [1]. The share is
+/// 1/bearings for drag on the rotor of a coast-down rig (effects::Nature::drags_on_the_rotor), and
+/// 1 for every other effect.
 [[nodiscard]] double share_of_bearing(const effects::Description& effect, const Rig& rig);
 
 /// Returns the torque of all bearings of a rig on one shaft, M = bearings * M_bearing [N m],

@@ -21,9 +21,9 @@ class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
 
-  /// `known` is the equilibrium under the condition `given`, or null: the equilibrium of the
-  /// original bearing, or of a bearing in its set on a shaft. `given` is a condition in addition to
-  /// the changes by effects in `steps`. `bearing` is the bearing of this equilibrium, if it differs
+  /// `given` is a condition of the bearing in addition to the changes by the effects in `steps`.
+  /// `known` is the ball equilibrium of the row under this condition, on a rig or in a set on a
+  /// shaft; null if it is not known. `bearing` is the bearing of this equilibrium, if it differs
   /// from the bearing of the model. `rollers` is the equilibrium of the original cylindrical roller
   /// bearing, if available.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,

@@ -17,8 +17,8 @@ struct TorqueLoad {
 
 /// Returns the saturated regression of a friction torque: a regression with so many terms that its
 /// residuals are noise. Each term is the torque times a term of a cubic polynomial in ln speed, the
-/// load and temperature. Further loads, the recorded preload and ring temperatures add terms if
-/// they vary: the value, its square, and its products with speed and load.
+/// load and temperature. Each further load, the recorded preload and each ring temperature add
+/// terms if they vary: the value, its square, and its products with speed and load.
 [[nodiscard]] fit::Saturation torque_saturation(const record::Record& record, TorqueLoad load,
                                                 std::vector<TorqueLoad> further = {});
 

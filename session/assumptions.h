@@ -15,7 +15,8 @@ namespace raceway::session {
 /// for a spindle without a steady state.
 ///
 /// Source:   the spreads are estimates: conductances of films and contacts are known to a factor of
-///           1.5 to 2, fits to 3 um, and properties of steel and iron to 3 to 15 %.
+///           1.5 to 2, the interferences and clearances of seats to 3 um, and properties of steel
+///           and iron to 3 to 15 %.
 [[nodiscard]] results::Assumptions influential_assumptions(
     const files::ModelFile& file, const spindle::Inputs& inputs,
     const std::atomic<bool>* cancelled = nullptr);

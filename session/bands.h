@@ -38,8 +38,8 @@ void fill_band(const model::Model& model, const model::Band& band,
 [[nodiscard]] results::BandOfResult point_band(const model::Band& band,
                                                const bearing::OperatingPoint& point);
 
-/// Returns the half widths of the band for the readings of a record [SI], in the order of
-/// fit::predict().
+/// Returns the half width of the band for each predicted reading of a record [SI], in the order of
+/// the predictions of fit::predict().
 [[nodiscard]] std::vector<double> record_band(const model::Band& band,
                                               const record::Record& record);
 

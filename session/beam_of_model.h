@@ -31,8 +31,9 @@ struct BeamOfModel {
                                         const spindle::Inputs& inputs,
                                         const spindle::ShaftLoad* further = nullptr);
 
-/// Returns the tangent stiffness of all bearings. The stiffness of the sets comes from `sets`. The
-/// stiffness of the roller bearings is valid for the shaft bent as in `bent`.
+/// Returns the tangent stiffness of the bearings. The stiffness of the sets comes from `sets`, and
+/// the stiffness of the roller bearings from the bent shaft `bent`. Without `bent`, the result has
+/// no springs for roller bearings.
 [[nodiscard]] std::vector<spindle::Spring> springs_of(
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);

@@ -21,8 +21,8 @@ namespace raceway::session {
                                                      Defaults defaults = Defaults::count);
 
 /// Joins several corrections of one displacement to one file with the name `path`. The joined file
-/// predicts the sum of the predictions of its parts: see files::join_corrections(). Notes list the
-/// corrections that are not in the sum.
+/// predicts the sum of the predictions of its parts: see files::join_corrections(). Notes name the
+/// tables that the joined file does not contain.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
@@ -49,14 +49,15 @@ void require_readings(const correction::Model& model, const record::Record& reco
 
 /// Checks a record before a model is fitted to it. Warns of sensors whose readings are stuck, jump
 /// or never vary. The warnings are also in the notes of the record and in the JSON results. Throws
-/// text::InputError if a heating power is outside the range of a delay element.
+/// text::InputError if an input, such as the heating power, has a value at which the time constant
+/// of a lag is not positive.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record);
 
-/// Returns notes on extrapolation when a model runs on a record: inputs outside their range,
+/// Returns notes on extrapolation in a record: inputs outside their range in the training data,
 /// combinations of inputs outside the training data, and operating points outside the friction
-/// table. Notes on inputs give the first row and the number of rows; notes on a friction table give
-/// the share of the rows.
+/// table. A note on inputs gives the first row outside and the number of such rows. A note on a
+/// friction table gives the percentage of the rows outside the table.
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const correction::Series& series,
                                                    const correction::Beyond& beyond);

@@ -26,8 +26,10 @@ struct CorrectionRun {
 /// Runs the corrections on the record. Throws text::InputError if the record is not suitable.
 [[nodiscard]] CorrectionRun correct(SeriesQuestion asked);
 
-/// Settings for a correction that learns from the readings of a record. Durations are texts with a
-/// unit ("4h"); an empty text means the default of LearningOptions.
+/// Settings for a correction that learns from the readings of a record: `every` is the shortest
+/// time between two readings that are used, and `forget` is the time constant with which learned
+/// gains return to the gains of the model. Both are texts with a unit ("4h"). An empty text means
+/// the default of correction::LearningOptions.
 struct LearningChoices {
   std::string every{}, forget{};
 

@@ -44,8 +44,9 @@ struct LoopOptions {
   std::string channel{};
   Part part = Part::any;
   Defaults defaults = Defaults::count;
-  /// Function that changes a model after it was read; may be empty. The second argument is the
-  /// index of the model in the file.
+  /// Function that changes the model of a bearing, shaft or spindle after it was read; may be
+  /// empty. The second argument is the index of the model in a comparison of several models,
+  /// otherwise 0.
   std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
@@ -159,14 +160,16 @@ class LoopModel {
 /// records.
 [[nodiscard]] Names records_apart(const fit::Subject& subject);
 
-/// Fits a model to a record before a comparison. `names` lists the free parameters for the error
-/// message. Throws std::invalid_argument if the fit does not converge.
+/// Fits the free parameters of `subject` to a record before a comparison. `names` are the names of
+/// these parameters for the error message. Throws std::invalid_argument if the fit does not
+/// converge.
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
 /// Opens the model that the options select from a file, and sends notes to `messages`. `place` is
-/// the index among several such models. Throws text::InputError for a file that cannot be read, for
-/// an invalid tolerance, and if the file has several models and the options select none.
+/// the index of the model in a comparison of several models. Throws text::InputError for a file
+/// that cannot be read, for an invalid tolerance, and if the file has several models and the
+/// options select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);

@@ -26,8 +26,8 @@ struct NewModel {
 };
 
 /// Returns a commented model file with the default values of its law. Throws text::InputError if
-/// the bearing is not in the catalogue and `outline` does not describe it, or if the description
-/// does not suit the bearing, the law or a spindle.
+/// the bearing is not in the catalogue and `outline` does not describe it, and if a member does not
+/// suit the bearing, such as a spindle with roller bearings.
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
 /// Returns a commented correction model for the displacements of a time record, with a channel for

@@ -47,7 +47,7 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
                                        const files::ReadOptions& options);
 
 /// Reads one or several files like open_data(), and joins them to one record. Each file must be
-/// suitable for the model. `model` is the file name in messages.
+/// suitable for the model. `model` is the file name of the model, for messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,

@@ -12,7 +12,8 @@
 #include "shaft/shaft_prediction.h"
 
 /// Builds operating points from requested values in the units of files. Missing values come from
-/// the model. The ranges and the loads of a shaft are checked.
+/// the model. The functions reject values outside their allowed ranges, and loads that a shaft or a
+/// roller bearing does not accept.
 namespace raceway::session {
 
 /// Requested operating point. A NaN load or temperature is replaced by the value of the model. On a
@@ -36,7 +37,8 @@ struct GivenLoads {
 };
 
 /// Throws text::InputError if neither the request nor the model gives an axial load, or if a shaft
-/// or a roller bearing does not accept a load. Adds a warning for moments that have no effect.
+/// or a roller bearing does not accept a load. Adds a warning if moments have no effect because the
+/// model locks the tilt.
 void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording);
 

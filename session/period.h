@@ -13,9 +13,9 @@ struct Period {
   std::string from, until;
 
   [[nodiscard]] bool is_given() const { return !from.empty() || !until.empty(); }
-  /// Removes readings of these displacements outside the period, and adds a note to the record with
-  /// the number of remaining readings. Throws text::InputError for a text that is not a duration,
-  /// and if no reading remains.
+  /// Removes the readings of the channels `measured` outside the period, and adds a note to the
+  /// record with the number of remaining readings. Throws text::InputError for a text that is not a
+  /// duration, and if no reading remains.
   void apply(record::Record& record, const std::vector<const record::Channel*>& measured) const;
 };
 

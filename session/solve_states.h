@@ -76,7 +76,8 @@ struct SolvedStates {
 /// sensor.
 struct PredictedStates {
   std::vector<double> reading_Nmm;           ///< [states]; NaN for a state without a prediction
-  std::vector<bearing::SolveStatus> status;  ///< [states]; `not_finite` if only the reading is NaN
+  std::vector<bearing::SolveStatus> status;  ///< [states]; `not_finite` if the solver converged but
+                                             ///< the reading is NaN
 };
 
 /// Predicts the readings of a rig at many states. The function computes no other columns. The

@@ -20,8 +20,8 @@
 /// session/sensitivity.cpp.
 namespace raceway::session::varied {
 
-/// Numerical input of the request, for example the speed. The input can be varied if the question
-/// gives a single value.
+/// Numerical input of the request, for example the speed. The sensitivity to this input is computed
+/// only if the request gives a single value for it.
 struct Axis {
   std::string_view name, flag;
   std::vector<double> values;
@@ -30,7 +30,8 @@ struct Axis {
 
 [[nodiscard]] std::vector<Axis> axes_of(const SensitivityQuestion& q, bool shaft);
 
-/// Values of the axes at one state; NaN means the value of the model.
+/// Speed, loads and temperature of one operating point, one value for each Axis. NaN means the
+/// value of the model.
 using State = std::array<double, 4>;
 
 /// Returns all combinations of the axis values; the speed varies fastest.
