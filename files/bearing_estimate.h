@@ -36,7 +36,8 @@ struct EstimatedBearing {
   Estimate static_load_rating;  ///< [N]
   std::size_t rows = 0;         ///< number of catalogue rows used for the ratios
   bool like_section = true;     ///< true: only rows of bearings with similar section were used
-  bool like_series = true;      ///< false: the series is known, and no row has it
+  bool like_series = true;      ///< false: the dimension series is known, but no catalogue row
+                                ///< belongs to it
 };
 
 /// Returns the contact angle and the ball material that a designation states (files/designation.h),
@@ -51,12 +52,12 @@ struct EstimatedBearing {
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///
-/// d is the bore, and D is the outer diameter. k, φ and c are medians over the rows. If the number
-/// of balls Z is known, D_w = φ π d_m / Z. The ball diameter D_w is rounded to 1/32 inch, the step
-/// of ball sizes. Manufacturers do not publish the conformity. The estimate is 0.52, with the range
-/// 0.517 to 0.54 that reproduces the published rigidities of bearing pairs by GMN (`raceway
-/// calibrate BEARING`). Throws InputError if d or D is missing, if D is not between 1.1 d and 5 d,
-/// or if no row has a contact angle.
+/// d is the bore, D the outer diameter, and α the contact angle. The ratios k, φ and c are medians
+/// over the rows. The ball diameter D_w is rounded to 1/32 inch, the step of ball sizes. If the
+/// number of balls Z is known, D_w = φ π d_m / Z before rounding. Manufacturers do not publish the
+/// conformity. The estimate is 0.52, with the range 0.517 to 0.54 that reproduces the published
+/// rigidities of bearing pairs by GMN (`raceway calibrate BEARING`). Throws InputError if d or D is
+/// missing, if D is not between 1.1 d and 5 d, or if no row has a contact angle.
 [[nodiscard]] EstimatedBearing estimated_bearing(const BearingOutline& outline,
                                                  const std::vector<CatalogueBearing>& rows);
 

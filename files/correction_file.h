@@ -38,11 +38,13 @@ struct CorrectionFile {
 /// Returns the text of the table [correction.prior] for a model; empty without priors.
 [[nodiscard]] std::string prior_text(const correction::Model& model);
 
-/// Returns the line of a correction file that defines this window of a channel or an effect.
+/// Returns the line of a correction file that limits a channel or an effect to a range of axis
+/// positions (correction::Window).
 [[nodiscard]] std::string window_text(const correction::Window& window);
 
-/// Returns the text of a new correction file with only these models: their channels that columns
-/// drive, offsets, tolerances and input ranges. `comment` is the first line of the file.
+/// Returns the text of a new correction file with these models: their offsets, tolerances, input
+/// ranges, and the channels whose inputs are columns of the record. `comment` is the first line of
+/// the file.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
                                           const std::string& comment);
 

@@ -12,7 +12,8 @@ namespace raceway::files {
 struct JoinedCorrection {
   std::string text;
   std::vector<NamedFile> files{};     ///< files that the text names; empty if `path` is given
-  std::vector<record::Note> notes{};  ///< notes on unused tables and on the unknown trust
+  std::vector<record::Note> notes{};  ///< notes on unused tables, and a note that the trust in the
+                                      ///< sum is unknown
 };
 
 /// Returns a correction file whose prediction is the sum of the corrections of several files for
@@ -21,10 +22,11 @@ struct JoinedCorrection {
 /// the intersection. Free parameters of a file stay free, and parameters with a prior become free.
 /// The kinematic law of a file without a list of free parameters is fixed unless it has a prior.
 /// Parameters fitted to a record get a prior from their covariance, except for the offset. In a
-/// file without priors and without a list of free parameters, delay elements and the kinematic law
-/// get the priors of correction/prior.h. The priors are needed because a record of the whole
-/// machine seldom separates the displacements of the single files. File names in the text are
-/// relative to the folder of `path`, or absolute if `path` is empty.
+/// file without priors and without a list of free parameters, the priors of correction/prior.h
+/// apply to the kinematic law and to channels with a delay element, a lag whose gain and time
+/// constant depend on the input. The priors are needed because a record of the whole machine seldom
+/// separates the displacements of the single files. File names in the text are relative to the
+/// folder of `path`, or absolute if `path` is empty.
 ///
 /// Throws InputError for fewer than two files, for a file with several displacements or with
 /// another displacement, for two channels with the same name, for two kinematic laws, for different

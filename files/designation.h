@@ -21,10 +21,10 @@ namespace raceway::files {
 /// Source: SKF, Super-precision bearings, 13383, and for the series of SNFA 06939 (HB, HX) and
 /// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
 /// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260, p. 56, and ULTAGE, 7000
-/// and 7900; GMN, High Precision Ball Bearings, 4001. Of these publications, only text copies of
-/// the given pages of Barden and NTN and the titles of SKF were seen. The codes for angle, balls
-/// and preload of NSK, NTN and FAG were compared with tables of dealers. The angle digits of SNFA
-/// were not checked.
+/// and 7900; GMN, High Precision Ball Bearings, 4001. Text copies of the given pages of Barden and
+/// NTN were seen. The publications of SKF are known only by title, and all others were not seen.
+/// The codes for angle, balls and preload of NSK, NTN and FAG were compared with tables of dealers.
+/// The angle digits of SNFA were not checked.
 struct Designation {
   std::string series{};          ///< series as written: "70", "719", "VEX"; "60", "619" of GMN
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown

@@ -23,9 +23,9 @@ struct DisplacementCurve {
 /// displacement is ignored if its column `status` is not "converged". `notes` lists the ignored
 /// columns and rows.
 ///
-/// Throws InputError like read_csv(), for a missing column, and for all other cells of these
-/// columns that are empty, not numbers or outside the allowed range. One message shows the first
-/// ten of these cells and gives the number of the others.
+/// Throws InputError like read_csv(), if `speed_rpm` or `axial_displacement_um` is missing, and if
+/// cells of the three columns are empty, not numbers or outside the allowed range. One message
+/// shows the first ten faulty cells and gives the number of the others.
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 

@@ -17,7 +17,7 @@ namespace raceway::files {
 /// Kind and allowed values of a key in a model file.
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
-  double lower = unset, upper = unset;  ///< limits of a number, in `unit`; both are allowed
+  double lower = unset, upper = unset;  ///< smallest and largest allowed number, in `unit`
   std::string_view unit{};              ///< unit of a number; "" if dimensionless
   std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
   bool whole = false;        ///< true: the number must be whole

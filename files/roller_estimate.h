@@ -26,11 +26,13 @@ struct EstimatedRollers {
 };
 
 /// Estimates length L, diameter D_w and number Z of the rollers of a bearing of series N10. Bore d
-/// and outer diameter D are those in files/boundary_dimensions.h for dimension series 10.
+/// and outer diameter D come from files/boundary_dimensions.h for dimension series 10.
 ///
 ///   d_m = (d + D)/2,   L = D_w
-///   printed sizes   D_w = E - d_m,   Z = C0/(44 (1 - γ) L D_w), rounded
-///   others          D_w = 0.485 (D - d)/2 to 0.5 mm,   Z = 0.71 π d_m/D_w, rounded
+///   published sizes   D_w = E - d_m,   Z = C0/(44 (1 - γ) L D_w), rounded
+///   other sizes       D_w = 0.485 (D - d)/2, rounded to 0.5 mm,   Z = 0.71 π d_m/D_w, rounded
+///
+/// γ = D_w/d_m. In the formula for Z from C0, C0 is in N, and lengths are in mm.
 ///
 /// Accuracy: the rating C calculated with these rollers agrees with the published C within 2.1 %
 ///           for eight of eleven sizes. The calculated C is 5.6 % too high for N1013 and 16 % too

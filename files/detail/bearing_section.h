@@ -11,7 +11,7 @@
 #include "files/bearing_estimate.h"
 #include "files/catalogue_file.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads the tables of bearings and materials in a model file.
@@ -46,9 +46,9 @@ class BearingReader {
   /// table may also contain the keys `further`.
   [[nodiscard]] NamedBearing read(const Section& table, const NamedBearing* base, Keys further);
 
-  /// Returns the keys of the tables read so far, each once. Omitted are `name`, `catalogue`, and
-  /// keys whose value equals the default or the value of the catalogue bearing, because
-  /// new_model_text() writes them.
+  /// Returns the keys of the tables read so far, each once, without `name` and `catalogue`. Keys
+  /// whose value equals the default or the value of the catalogue bearing are omitted too, because
+  /// every file written by new_model_text() contains such keys.
   [[nodiscard]] const Names& written() const { return written_; }
 
   /// Returns the material that a key of a bearing names. Without this key, returns `inherited`, or

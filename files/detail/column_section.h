@@ -2,7 +2,7 @@
 
 #include "files/column_map.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads the table [columns] of a model file.

@@ -6,7 +6,7 @@
 #include "friction/contact/contact_data.h"
 #include "model/life_data.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads the keys of [lubricant], [bearing] and [friction] that only the contact law uses, and the

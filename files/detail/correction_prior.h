@@ -4,7 +4,7 @@
 
 #include "correction/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_section.h"
 
 namespace raceway::files {

@@ -5,7 +5,7 @@
 
 #include "correction/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_section.h"
 
 /// Reads and writes the results of a fit in a correction file: ranges, covariance, residual and

@@ -38,7 +38,8 @@ inline constexpr record::Channel fall_time_deviation{
 struct DataColumns {
   using Place = ColumnSource;
   std::vector<Place> places;  ///< columns in the order of file_channels()
-  /// Measured channels that are kept and not kept. Both lists are empty for a coast-down.
+  /// Measured channels that the record keeps (`measured`) and that it omits (`unused`). Both lists
+  /// are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
   std::vector<Place> falls;  ///< columns with times between two speeds, if any
   /// Signal of the torque sensor and its standard deviation, if the calibration is known. `places`

@@ -5,7 +5,7 @@
 #include "correction/control_settings.h"
 #include "correction/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads the table [export] of a correction file.

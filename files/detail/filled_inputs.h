@@ -22,9 +22,9 @@ struct FilledInput {
 /// control setting, such as a speed, keeps its value until the next one; before its first value in
 /// a run, it stays empty. A temperature is interpolated linearly between readings, and it is
 /// constant before the first and after the last reading of a run. The rows of a gap are in `far` if
-/// the gap is longer than 10 times the median time between readings and longer than 5 minutes. A
-/// temperature without a reading in a run stays empty there, and these rows are in `empty` and
-/// `far`.
+/// the gap is longer than 10 times the median time between readings and longer than 5 minutes. If a
+/// run has no reading of a temperature, the temperature stays empty in this run, and the rows of
+/// the run are in `empty` and `far`.
 [[nodiscard]] FilledInput fill_input(const record::Channel& channel, record::Record& data);
 
 }  // namespace raceway::files

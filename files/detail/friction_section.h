@@ -8,7 +8,7 @@
 #include "friction/lubricant.h"
 #include "friction/torque_table.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
 /// Reads the tables [lubricant] and [friction] of a model file. All functions throw InputError like

@@ -34,7 +34,7 @@ class ImpossibleCells {
   text::CellRange range_;
   bool judges_range_;
   bool looked_ = false, few_beyond_ = false;
-  /// Lowest and highest of the other numbers.
+  /// Lowest and highest number of the column that is not a placeholder.
   double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "model/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads the tables [calibration] and [loop] of a model file, after all other tables. All functions

@@ -87,8 +87,8 @@ class Section {
     if (!node) node = table_;
     return node ? fmt::format("{}:{}", source_, node->source().begin.line) : source_;
   }
-  /// Returns file and line of `node` in the value of a key; without `node`, of the key; for a
-  /// missing key, of this table.
+  /// Returns the file and the line of `node`, a part of the value of `key`. If `node` is null,
+  /// returns the line of the key. If the key is missing too, returns the line of this table.
   [[nodiscard]] text::Place at(std::string_view key = {}, const toml::node* node = nullptr) const {
     if (!node && !key.empty()) node = find(key);
     if (!node) node = table_;

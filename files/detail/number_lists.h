@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_section.h"
 
 /// Reads lists of numbers in a table of a model file. All functions throw InputError with file and

@@ -5,7 +5,7 @@
 #include "bearing/bearing_equilibrium.h"
 #include "model/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads the tables [rig] and [solver] of a model file. All functions throw InputError like

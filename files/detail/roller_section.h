@@ -2,7 +2,7 @@
 
 #include "model/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
 /// Reads a table [bearing] with type = "cylindrical-roller" in a model file. All functions throw

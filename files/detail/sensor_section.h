@@ -5,7 +5,7 @@
 
 #include "rig/sensor_calibration.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads the table [torque_sensor] of a model file, or of a separate file that the model names.

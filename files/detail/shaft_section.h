@@ -8,7 +8,7 @@
 
 #include "model/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
 /// Reads the table [arrangement] of a model file.

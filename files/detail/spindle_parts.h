@@ -7,7 +7,7 @@
 
 #include "model/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_tables.h"
 
 /// Reads single tables of the model file of a spindle, for read_spindle() in spindle_section.h.

@@ -6,7 +6,7 @@
 
 #include "model/model.h"
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
 /// Reads the tables that only the model file of a spindle has. All functions throw InputError like

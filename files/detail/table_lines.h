@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-// Last: see text/detail/toml_text.h.
+// This include must be the last one: see text/detail/toml_text.h.
 #include "text/detail/toml_text.h"
 
 /// Finds the lines of a table in the text of a model file.
