@@ -11,8 +11,9 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm) (ν/20 mm²/s)
 ///
-/// Source:   Petroff's bearing, η π W c d (ω_c - ω_n)/(1 - d1/d2) [Harris2006, vol. 2, ch. 5]:
-///           proportional to speed and viscosity; c is fitted.
+/// c is the moment at 10 000 rpm and 20 mm²/s.
+/// Source:   Petroff's law for a lightly loaded plain bearing [Harris2006, vol. 2, ch. 5]: the
+///           moment is proportional to speed and viscosity. c is fitted.
 /// Domain:   every speed.
 struct CageFriction {
   static constexpr std::string_view id = "cage-friction";

@@ -13,6 +13,8 @@ namespace raceway::effects {
 ///
 ///   x = c (n/10 000 rpm)²
 ///
+/// x is the added axial load on a rig, or the radial growth in the sets of a shaft. c is the value
+/// of x at 10 000 rpm.
 /// Source:   derived. A thin free ring widens by ρ ω² r³/E (steel, r = 45 mm, 10 000 rpm: 3.7 um).
 ///           At the edge of a solid disc, the growth is only (1 - ν)/4 of this value.
 /// Domain:   every speed.

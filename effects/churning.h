@@ -12,8 +12,10 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)^0.621 (ν/20 mm²/s)^1.379
 ///
+/// c is the moment at 10 000 rpm and 20 mm²/s.
 /// Source:   exponents of the second term of the drag moment in the SKF catalogues from 2013 on,
-///           1.093e-7 n² d_m³ (n d_m² f_t/ν)^-1.379 R_s. c contains the influence of the oil level.
+///           1.093e-7 n² d_m³ (n d_m² f_t/ν)^-1.379 R_s. The factors f_t and R_s of SKF depend on
+///           the oil level; c contains them.
 /// Domain:   speed >= 0, viscosity > 0; zero at standstill. Oil bath only.
 struct Churning {
   static constexpr std::string_view id = "churning";

@@ -12,11 +12,13 @@ namespace raceway::effects {
 ///
 ///   M = μ Σ 0.0806 Q a²/R ω_roll/ω       over all contacts,  R = 2 f D/(2 f + 1)
 ///
+/// Q is the contact load, a the semi-major axis of the contact ellipse, f the conformity, and D the
+/// ball diameter. For ω_roll/ω see sum_over_contacts().
 /// Source:   derived. The common surface of ball and groove has the radius R across the rolling
 ///           direction, so the slip speed at a distance y from the centre is ω_roll (y² - y0²)/(2
-///           R). With the Hertz pressure integrated along the rolling direction, the friction
-///           forces balance at y0 = 0.347 a. The friction power is then 0.1611 μ Q ω_roll a²/(2 R).
-///           The usual estimate of the moment is about 0.1 μ Q a²/R.
+///           R), zero at y = y0. With the Hertz pressure integrated along the rolling direction,
+///           the friction forces balance at y0 = 0.347 a. The friction power is then 0.1611 μ Q
+///           ω_roll a²/(2 R). The usual estimate of the moment is about 0.1 μ Q a²/R.
 /// Domain:   converged equilibrium, else NaN.
 /// Accuracy: the law uses only slip along the rolling direction. If the ball also spins in the
 ///           contact, the true moment is smaller.

@@ -249,7 +249,7 @@ struct Nature {
   /// dependence on temperature, or the lag, distinguishes such an effect from other effects.
   bool follows_heat = false;
   bool base_law = false;   ///< true: corrects an exponent of the base law
-  bool empirical = false;  ///< true: a shape without a physical law
+  bool empirical = false;  ///< true: an empirical formula without a physical law
   bool spin = false;       ///< true: the moment comes from contacts in which the balls spin
   /// True if the effect changes the condition of the bearings but not the axial position of the
   /// shaft.
@@ -299,8 +299,8 @@ struct Actions {
 };
 
 /// Entry of one physical effect in the catalogue. Each effect is a struct in its own file (see
-/// spin_friction.h). A Description has the members of such a struct; the program finds it by its
-/// id.
+/// spin_friction.h). A Description has the same members as such a struct. The program finds a
+/// Description by its id.
 ///
 /// An effect with different laws for the sets of a shaft and for a bearing on a rig has two
 /// descriptions with the same id and separate parameters. The kind of model selects the

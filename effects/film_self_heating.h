@@ -13,8 +13,9 @@ namespace raceway::effects {
 ///
 ///   ν = ν(T_film),   T_film = T + R P(T_film),   P = M(ν(T_film)) ω
 ///
-/// M is the viscous moment of the base law without other effects on the lubricant. In the contact
-/// law, the whole moment heats the film, so M is the whole moment. P falls with temperature, so
+/// T is the temperature of the row, R the thermal resistance between film and sensor, P the
+/// friction power, and ω the shaft speed. M is the viscous moment of the base law without other
+/// effects on the lubricant, or the whole moment of the contact law. P falls with temperature, so
 /// there is one solution, between T and T + R P(T). If P rises with temperature because of
 /// asperities, the lowest solution is above T + R P(T).
 /// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.

@@ -51,8 +51,8 @@ class Formula : public OwnMoment {
     const record::Channel* channel = nullptr;
     [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
-  /// Returns the variables of a formula in addition to its parameters, including every input of the
-  /// channel table.
+  /// Returns the variables that a formula may contain in addition to its parameters. Every input
+  /// that a record may contain is a variable.
   [[nodiscard]] static std::span<const Variable> variables();
 
  private:

@@ -13,6 +13,7 @@ namespace raceway::effects {
 ///
 ///   M = A M0 exp(-t/τ)
 ///
+/// M0 is the viscous moment of the base law, and t the time of the row.
 /// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
 ///           and τ of 1 to 20 h, applied to the viscous moment, because churning does not depend on
 ///           load.

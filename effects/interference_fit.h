@@ -16,7 +16,8 @@ namespace raceway::effects {
 ///
 /// I0 is the interference at standstill, and I the interference at speed. The bore is d, and the
 /// diameter of the inner raceway is d_i = d_m - D cos α0. At an entered axial load, the growth
-/// changes the contact angle: cos α0 -> cos α0 + u/(B D).
+/// changes the free contact angle α0: cos α0 becomes cos α0 + u/(B D), where B D is the distance
+/// between the groove centres.
 /// Source:   derived from Lamé for a ring of rectangular section on a solid shaft of the same
 ///           material. The second term of I is the growth of the bore relative to the shaft at
 ///           speed. The centrifugal growth of the raceway is a separate effect.
@@ -25,7 +26,8 @@ namespace raceway::effects {
 ///
 /// In the sets of a shaft, the fit is part of the mounted state. A preload entered as a force
 /// already includes the fit, so only the loss of interference at speed moves the sets. A preload
-/// entered as an offset or a class refers to bearings before mounting, so the fit increases it.
+/// entered as an offset or a class refers to bearings before mounting, so the fit increases the
+/// preload.
 struct InterferenceFit {
   static constexpr std::string_view id = "interference-fit";
   static constexpr std::string_view title = "inner ring expanded by its fit";

@@ -15,6 +15,7 @@ namespace raceway::effects {
 ///
 ///   F_a,read = s F_a
 ///
+/// F_a,read is the recorded axial load, and F_a the true load.
 /// Source:   definition. Load cells are accurate to 0.1 to 1 % of full scale. A wrong lever arm,
 ///           friction in the loading device or a wrong sensitivity causes errors of up to about 20
 ///           %.

@@ -15,6 +15,7 @@ namespace raceway::effects {
 ///
 ///   F_a -> F_a (1 + c (T - 20 °C))
 ///
+/// c is the relative change of the true load per kelvin, at the same recorded load F_a.
 /// Source:   definition. Compensated cells drift by 0.002 to 0.05 % per kelvin. Heating from one
 ///           side, or the expansion of the housing against the loading device, causes ten times
 ///           this drift.

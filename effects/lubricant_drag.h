@@ -11,9 +11,10 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)²
 ///
+/// c is the moment at 10 000 rpm.
 /// Source:   inertia of a fluid that is pushed aside. The first term of the drag moment in the SKF
-///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants depend on
-///           the oil level; c replaces them.
+///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. c replaces the factors of n²,
+///           because V_M depends on the oil level.
 /// Domain:   every speed. The law is for an oil bath, and for an oil jet, which has twice the drag
 ///           according to SKF. The law is not for oil-air and worked-in grease, because the balls
 ///           do not push oil drops or such grease aside.

@@ -14,13 +14,17 @@ namespace raceway::effects {
 ///   s (F_r - F_0) = h K_r (d (x - e) - (δ_r - δ_r0))      seat of the rear set
 ///   s = (1 - c) s_entered + c s_other,   h = (1 - c) h_entered + c h_other
 ///
-/// F_r, F_0, d, x, e, δ_r and c_series are defined at bearing::Arrangement, which writes c for
-/// c_series. K_r is the stiffness of the rear set as mounted. The softness s and the hardness h of
-/// the seat (see Arrangement::Seat) are (K_r c_series, 1) for a rigid set and (1, 0) for a spring
-/// of constant force. In a rigid set, c is the share by which a spring in series reduces the
-/// variation of the preload, because rear set and seat together have the stiffness (1 - c) K_r. c =
-/// 0 is the set as entered, and c = 1 is a constant force. The mounted preload force always remains
-/// the value of the model.
+/// F_r is the axial force of the rear set, δ_r its axial compression, x the position of the shaft,
+/// and e the thermal elongation of the shaft relative to the housing. The index 0 means: as
+/// mounted. d is -1 in an X arrangement, otherwise 1. K_r is the stiffness of the rear set as
+/// mounted. The seat is described by its softness s and its hardness h. For a rigid set, s = K_r/K
+/// and h = 1, where K is the stiffness of shaft and housing in series. For a spring of stiffness k,
+/// s = 1 and h = k/K_r; for a spring of constant force, h = 0. See bearing::Arrangement, where 1/K
+/// is called c.
+///
+/// In a rigid set, c is the share by which a spring in series reduces the variation of the preload,
+/// because rear set and seat together have the stiffness (1 - c) K_r. c = 0 is the set as entered,
+/// and c = 1 is a constant force. The mounted preload force always remains the value of the model.
 ///
 /// Source:   springs in series, derived.
 /// Domain:   0 <= c <= 1, sets at both ends. Values between 0 and 1 describe flexible housings and

@@ -12,6 +12,7 @@ namespace raceway::effects {
 ///
 ///   ν40 -> k ν40,   ν100 -> k ν100
 ///
+/// ν40 and ν100 are the kinematic viscosities at 40 °C and 100 °C.
 /// Source:   definition. Adjacent ISO grades (ISO 3448) differ by a factor of 1.5, and an oil may
 ///           deviate by 10 % from the middle of its grade.
 /// Domain:   every viscosity. Palmgren's viscous moment is proportional to ν^(2/3), so f0 absorbs

@@ -15,6 +15,7 @@ namespace raceway::effects {
 ///
 ///   P -> k P
 ///
+/// P is the entered or recorded preload, and k P the true preload.
 /// Source:   definition. Preload classes have a tolerance of about 20 %. A force set by the
 ///           tightening torque of a nut is less accurate.
 /// Domain:   k > 0. The effect is only for sets preloaded by a force, not for an offset that is

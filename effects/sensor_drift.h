@@ -49,8 +49,8 @@ struct SensorTimeDrift : SensorFault<card> {
   }
 };
 
-/// Data sheets of torque sensors give 0.05 to 0.5 % of full scale per 10 K. The full scale is
-/// assumed proportional to the torque of the bearing.
+/// Data sheets of torque sensors give a drift of 0.05 to 0.5 % of full scale per 10 K. The full
+/// scale is assumed proportional to the torque of the bearing.
 inline constexpr SensorCard<3> torque_temperature_drift{
     .channel = record::friction_torque,
     .id = "torque-temperature-drift",

@@ -18,9 +18,10 @@ namespace raceway::effects {
 ///   F1 = F2 + F_a,   F2 = P (u - 1)(u - 2)/2 - F_rigid(0) u (u - 2) + F_rigid(n) u (u - 1)/2
 ///   F_a -> (F1^(4/3) + F2^(4/3))^(3/4)
 ///
-/// F_rigid is the axial force on the relieved bearing of a rigid pair, whose preload the external
-/// load reduces (bearing/rigid_preload.h). The mounting u interpolates smoothly between three
-/// states. u = 0 is a soft spring on the second bearing. u = 1 is a rigid pair with constant
+/// F1 is the axial force on the bearing that the external load F_a loads further, and F2 the axial
+/// force on the bearing that F_a relieves. P is the preload, and n the speed. F_rigid is F2 in a
+/// rigid pair (bearing/rigid_preload.h). The mounting u interpolates smoothly between three kinds
+/// of preload. u = 0 is a soft spring on the second bearing. u = 1 is a rigid pair with constant
 /// preload. u = 2 is a rigid pair whose preload grows with speed.
 ///
 /// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The

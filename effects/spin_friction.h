@@ -10,8 +10,10 @@ namespace raceway::effects {
 
 /// Friction moment of ball spin about the contact normal [N m].
 ///
-///   M = μ Σ (3/8) Q a E(k) ω_s/ω      under outer control Z M_s ω_s/ω at the inner race
+///   M = μ Σ (3/8) Q a E(k) ω_s/ω      over all contacts
 ///
+/// Q, a and E(k) are as in unit_spin_moment(). ω_s is the spin speed in the contact and ω the shaft
+/// speed. Under outer race control, only the contacts at the inner race spin.
 /// Source:   [CaseStudy, eq. 23; Harris2006, vol. 2, ch. 5]; μ of 0.04 to 0.08 is usual.
 /// Domain:   converged equilibrium, else NaN. For standstill see unit_spin_friction().
 /// Accuracy: as unit_spin_moment().

@@ -9,7 +9,8 @@
 namespace raceway::effects {
 
 /// Common law of the forms for a rig and for a shaft: the temperature difference of the rings
-/// increases the preload. x is the added axial load or the radial growth.
+/// increases the preload. x is the added axial load or the radial growth. M1 and M0 are the load
+/// moment and the viscous moment.
 ///
 ///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
 ///

@@ -14,8 +14,9 @@ namespace raceway::effects {
 ///
 ///   M = M0 ((max(ν n, 2000)/300000)^e - 1)        ν n in mm²/s rpm
 ///
-/// M0 is then proportional to (ν n)^(2/3 + e). M0 is unchanged at ν n = 300 000, in the middle of
-/// the range of spindles. With this reference value, a fit can separate e from f0.
+/// M0 is the viscous moment of the base law. M0 + M is proportional to (ν n)^(2/3 + e), and M is
+/// zero at ν n = 300 000, in the middle of the range of spindles. With this reference value, a fit
+/// can separate e from f0.
 /// Source:   tests show exponents from 0.55 to 0.75 instead of 2/3, so e is -0.12 to 0.08
 ///           [Palmgren1959, form of the law; range assumed].
 /// Domain:   speed >= 0; M is constant below ν n = 2000, like Palmgren's M0.

@@ -12,8 +12,8 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)^1.8
 ///
-/// The moment is per bearing. In a coast-down, M is the moment of all rotating parts, including a
-/// flywheel, and is added once, not once per bearing.
+/// c is the moment at 10 000 rpm. M is the moment of one bearing. In a coast-down, M is the moment
+/// of all rotating parts, including a flywheel, and is added once, not once per bearing.
 ///
 /// Source:   moment of a turning cylinder in a gap, C_f π ρ ω² R⁴ L with C_f ~ Re^-0.2 (Bilgen and
 ///           Boulos, turbulent). The exponent is therefore 2 - 0.2; c is fitted.
