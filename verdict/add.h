@@ -17,7 +17,7 @@ struct ChannelGain {
   /// Errors without and with the effects; both models are refitted to the same rows.
   Comparison before{}, after{};
   /// Noise of the readings, which determines their weights in the fit. An index of a reading in
-  /// `noise` is an index in Comparison::errors.
+  /// `noise` is its index in `before.errors` and in `after.errors`.
   fit::NoiseModel noise{};
   double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
   /// Held-out RMS errors without and with the effects [SI]; NaN if no rows can be held out. If a

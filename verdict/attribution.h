@@ -45,11 +45,12 @@ class Attribution {
   explicit Attribution(const Evidence& evidence);
 
   [[nodiscard]] const Gate& gate() const { return gate_; }
-  /// Returns the first column and the number of columns of a candidate in Gate::scores.
+  /// Returns the range of a candidate in Gate::scores: index of its first score, and number of its
+  /// scores.
   [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> score_range(std::size_t candidate) const;
-  /// Returns the length of each column of Gate::projected [1]: the change of the readings in
-  /// standard deviations. The function takes the smallest length over all noise models that the
-  /// readings allow.
+  /// Returns the length of each column of Gate::projected [1]: the change of all readings by a
+  /// candidate of typical size, as a Euclidean norm in standard deviations. The length is the
+  /// smallest over all noise models that the readings allow.
   [[nodiscard]] Eigen::VectorXd least_lengths() const;
   /// Returns the length (see least_lengths()) that an effect needs to be detected in 99 of 100
   /// cases.
@@ -70,8 +71,8 @@ class Attribution {
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
   /// Returns fits with three candidates, sorted by gain, largest first: one of the best pairs and
-  /// one more candidate. Triples with a wrong datum are left out. The fits are coarse, as in
-  /// pairs().
+  /// one more candidate. Triples that contain a corrected datum are left out. The fits are coarse,
+  /// as in pairs().
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;

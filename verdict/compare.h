@@ -50,12 +50,12 @@ struct LackOfFit {
   int noise_degrees_of_freedom = 0;
 };
 
-/// Correlation between the residuals of neighbouring rows along the swept input. This test needs no
-/// estimate of the noise. Rows are sorted by run and all other settings, then by the swept setting
-/// (or by time if there is none). The correlation is the mean product of neighbouring residuals
-/// divided by their mean square. For pure noise, the correlation has a nearly normal distribution
-/// with variance 1/pairs. The p-value is one-sided. Noise that drifts along a run also increases
-/// the correlation.
+/// Correlation between the residuals of neighbouring rows along the swept input, which is usually
+/// the speed. This test needs no estimate of the noise. Rows are sorted by run and all other
+/// settings, then by the swept input. If no setting is swept, the time takes its place. The
+/// correlation is the mean product of neighbouring residuals divided by their mean square. For pure
+/// noise, the correlation has a nearly normal distribution with variance 1/pairs. The p-value is
+/// one-sided. Noise that drifts along a run also increases the correlation.
 struct Pattern {
   const record::Channel* along = nullptr;
   double correlation = unset;  ///< in [-1, 1]; NaN with fewer than 8 pairs

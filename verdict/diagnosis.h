@@ -117,7 +117,8 @@ struct DetectableSize {
   std::string parameter;
   std::string unit;
   double size = unset;  ///< smallest detectable value of `parameter`, in `unit`
-  /// RMS of its contribution at this size, divided by the RMS of the readings [1].
+  /// RMS of the contribution of the effect at this size, divided by the RMS of the readings; the
+  /// largest ratio of all channels [1].
   double share_of_reading = unset;
   std::string most_alike{};  ///< effect that is hardest to separate from this effect; may be empty
   /// Value of `parameter` above which the data separate the effect from `most_alike`; NaN if no
@@ -127,8 +128,8 @@ struct DetectableSize {
 
 struct NotTestable {
   std::string id;
-  /// Text: missing data, parameters with the same influence, or another reason that excludes the
-  /// effect.
+  /// Reason in words: data that are missing, parameters that have the same influence, or another
+  /// reason that excludes the effect.
   std::string reason;
 };
 
@@ -199,7 +200,8 @@ struct Diagnosis {
   std::vector<fit::Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
-  /// Groups of effects that change these readings in nearly the same way (|cos| > 0.98).
+  /// Groups of effects that change these readings in nearly the same way: the cosine between their
+  /// changes is above 0.98 or below -0.98.
   std::vector<std::vector<std::string>> aliases;
   std::vector<SuggestedMeasurement> suggested_measurements;
   /// Inputs that can be set for a measurement, in the order of SuggestedMeasurement::point.

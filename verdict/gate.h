@@ -15,10 +15,10 @@ namespace raceway::verdict {
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
-  /// Returns the probability that the largest score reaches `observed` if no effect is missing.
-  /// Each draw gives normal scores with this correlation, divided by a random standard deviation
-  /// with these degrees of freedom. If the probability is very small or very large, the result is a
-  /// bound from Student's distribution.
+  /// Returns the probability that the largest score reaches `observed` if no effect is missing. In
+  /// each draw, the scores are normal with the correlation `correlation`, divided by a random
+  /// standard deviation with `degrees_of_freedom`. If the probability is very small or very large,
+  /// the result is a bound from Student's distribution.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
@@ -41,16 +41,19 @@ struct Gate {
   double surface_p_value = 1.0;
   int surface_terms = 0;
   double largest_score = unset;  ///< largest score, in standard errors
-  int largest = -1;  ///< index of the column with the largest score; -1 if no column is visible
+  int largest = -1;  ///< index of the largest score in `scores`; -1 if no column of a candidate is
+                     ///< visible
   double score_p_value = 1.0;
   /// Largest p-value over the other noise models that the readings allow; 0 if they were not
   /// tested.
   double allowed_p_value = 0.0;
-  Eigen::VectorXd scores;  ///< score of each column; 0 if its visibility is below `invisible`
+  Eigen::VectorXd scores;  ///< one score for each column of the candidates, see open_gate(); 0 if
+                           ///< the visibility of the column is below `invisible`
   /// Share of the length of each column that the free parameters of the model cannot absorb, from 0
   /// to 1 [1].
   Eigen::VectorXd visibility;
-  Eigen::MatrixXd projected;  ///< columns minus the part that the free parameters absorb
+  Eigen::MatrixXd projected;  ///< columns of the candidates minus the part that the free parameters
+                              ///< absorb
 
   /// Returns the p-value of both tests together (Bonferroni): the largest value over all tested
   /// noise models.

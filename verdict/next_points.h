@@ -10,17 +10,18 @@ namespace raceway::verdict {
 struct NextPoints {
   std::vector<SuggestedMeasurement> points;
   std::vector<fit::Axis> axes;  ///< inputs that a point sets, with their possible values
-  /// Predicted χ² that remains if the wrong one of two explanations is refitted, for the two that
-  /// are hardest to separate [1]. `predicted_separation` is for these points,
-  /// `separation_by_repetition` for an equal number of repeats of existing rows.
+  /// Predicted χ² that remains if the wrong one of two explanations is refitted to new readings
+  /// [1]. The two explanations are the pair that is hardest to separate. `predicted_separation` is
+  /// for readings at `points`, `separation_by_repetition` for as many repeats of existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 
 /// Returns the measuring points that best separate rival explanations, from the values in
-/// Subject::axes(). The design is T-optimal for the worst pair. The search adds points one by one
-/// until the predicted separation reaches 20 or `most` readings, including repeats, are planned. It
-/// then exchanges single points. The result is empty for fewer than two explanations, for a model
-/// without axes, and for a model whose readings depend on earlier rows.
+/// Subject::axes(). The design is T-optimal for the pair of explanations that is hardest to
+/// separate. The search adds points one by one until the predicted separation reaches 20 or `most`
+/// readings, including repeats, are planned. It then exchanges single points. The result is empty
+/// for fewer than two explanations, for a model without axes, and for a model whose readings depend
+/// on earlier rows.
 [[nodiscard]] NextPoints next_points(const Evidence& evidence,
                                      const std::vector<const Explanation*>& rivals, int most = 12);
 

@@ -18,8 +18,8 @@ struct Finding {
     single,   ///< one candidate explains the misfit
     several,  ///< two or three candidates together explain the misfit
     bent,  ///< one candidate explains the misfit if its law is multiplied by powers of the inputs
-    /// Both corrections of the base law together explain the misfit; the threshold is lower than
-    /// for other pairs.
+    /// Corrections of both exponents of the base law together explain the misfit. The threshold for
+    /// this pair is lower than for other pairs.
     base_laws,
     /// One candidate removes at least half of the mean square error, but the error exceeds the
     /// tolerance.
@@ -110,6 +110,6 @@ class Search {
 
 /// Largest difference in -2 ln L between the best set and another set of the verdict.
 constexpr double within_reach = 6.0;
-constexpr double passed = 0.01;  ///< smallest p-value at which residuals count as noise
+constexpr double passed = 0.01;  ///< smallest p-value of residuals that are accepted as noise
 
 }  // namespace raceway::verdict

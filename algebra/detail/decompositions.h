@@ -7,8 +7,8 @@
 ///
 /// Eigen's decompositions are templates that take many seconds to compile. This folder compiles
 /// them once, for matrices of double, and other files call functions. Each function returns exactly
-/// the result of Eigen's class for its method. Most functions return NaN if an entry of A is not
-/// finite.
+/// the result of Eigen's class for its method. If an entry of A is not finite, results are NaN and
+/// ranks are 0. HouseholderQr, LowerRoot and reduce_to_triangle() do not check the entries.
 namespace raceway::algebra {
 
 /// Solution x of min |b - A x|, by QR with column pivoting. A: m × n, b: m, x: n.
