@@ -254,7 +254,7 @@ struct Nature {
   /// True if the effect changes the condition of the bearings but not the axial position of the
   /// shaft.
   bool friction_alone = false;
-  bool as_mounted = false;      ///< true: changes the sets as mounted, before they turn
+  bool as_mounted = false;      ///< true: changes the sets as mounted, at standstill
   bool of_each_record = false;  ///< true: its size may differ between records
 };
 

@@ -9,7 +9,7 @@ namespace raceway::effects {
 
 /// Gain error of a sensor [SI unit of its channel].
 ///
-///   x_read = (1 + g) x        x is measured from the zero of the channel's unit
+///   x_read = (1 + g) x        x in the unit of the channel, for example in N mm or °C
 ///
 /// Source:   definition. `standard` is the known quantity that fixes the scale of the channel.
 /// Domain:   every reading.

@@ -20,8 +20,8 @@ struct SpindleCondition {
   /// Heat into the shaft at the nose, between the face of the housing and bearing 1.
   double seal_heat = 0.0;
   double front_bearing_heat = 0.0;  ///< heat into the raceways of the front set
-  double rear_bearing_heat = 0.0;   ///< heat into the raceways of the rear set, or of the rollers
-                                    ///< behind it
+  double rear_bearing_heat = 0.0;   ///< heat into the raceways of the roller bearing behind the
+                                    ///< rear set, or of the rear set without such a roller bearing
   /// Exponents of the speed for the added motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
   /// Conductance of a cooled sleeve that the model lacks, from the housing to the coolant inlet, or
@@ -32,8 +32,8 @@ struct SpindleCondition {
   double sleeve_reach = 1.0;
   /// Temperature rise of the machine at the flange [K], and its time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;
-  /// Preload that determines the friction [1]: 0: preload selected in the model (cold or warm); 1:
-  /// the other of these two preloads.
+  /// Selects the preload that determines the friction [1]. 0 means the preload selected in the
+  /// model (cold or warm), and 1 the other of these two preloads. Values between interpolate.
   double other_preload_feedback = 0.0;
   [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
 };

@@ -32,7 +32,7 @@ struct Estimate {
 struct EstimatedBearing {
   BearingOutline outline;  ///< known properties; an unknown contact angle is set to 15 deg
   Estimate ball_diameter, pitch_diameter, conformity;  ///< [m], [m], [1]
-  Estimate ball_count;          ///< number of balls; limits equal if it is known
+  Estimate ball_count;          ///< number of balls; if it is known, both limits equal it
   Estimate static_load_rating;  ///< [N]
   std::size_t rows = 0;         ///< number of catalogue rows used for the ratios
   bool like_section = true;     ///< true: only rows of bearings with similar section were used

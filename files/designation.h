@@ -26,7 +26,8 @@ namespace raceway::files {
 /// The codes for angle, balls and preload of NSK, NTN and FAG were compared with tables of dealers.
 /// The angle digits of SNFA were not checked.
 struct Designation {
-  std::string series{};          ///< series as written: "70", "719", "VEX"; "60", "619" of GMN
+  std::string series{};          ///< series as written, such as "70", "719" or "VEX"; for GMN "60"
+                                 ///< or "619"
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
   std::string bore_code{};       ///< bore code: "14"
   double contact_angle = unset;  ///< contact angle [rad]; NaN if not stated
@@ -35,7 +36,8 @@ struct Designation {
   std::string ball_code{};    ///< code of ceramic balls: "HC"
   std::string preload{};      ///< preload class: "light", "medium", "heavy" or "extra light"
   std::string arrangement{};  ///< arrangement of a set: "DB", "DF", "DT"
-  std::string other_type{};   ///< type if it has no angular contact: "a cylindrical roller bearing"
+  std::string other_type{};   ///< type of a bearing without angular contact: "a cylindrical roller
+                              ///< bearing"
 
   /// Returns the size of the bearing: "6014" for "B7014-C"; empty if not known.
   [[nodiscard]] std::string size() const;

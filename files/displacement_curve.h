@@ -30,8 +30,8 @@ struct DisplacementCurve {
                                                         const ReadOptions& options = {});
 
 /// Returns a table as CSV text with the columns speed_rpm, axial_displacement_um and slope_um_rpm.
-/// A comment in it states the interpolation rule. `source` is the name of the curve from which the
-/// table was made.
+/// A comment line in the text states the interpolation rule. `source` is the name of the curve from
+/// which the table was made.
 [[nodiscard]] std::string displacement_table_text(const shaft::DisplacementTable& table,
                                                   std::string_view source);
 

@@ -37,7 +37,8 @@ struct Required {};
 
 /// Default for a key that a model file does not contain.
 struct Default {
-  double value = unset;      ///< default number, in its unit; NaN with empty `words`: no default
+  double value = unset;      ///< default number, in the unit of the key. If it is NaN and `words`
+                             ///< is empty, the key has no default
   std::string_view words{};  ///< one of the allowed texts, or a description of the default
   bool required = false;     ///< true: the key has no default, and its table must contain it
 

@@ -11,7 +11,7 @@
 /// spindle.
 namespace raceway::files {
 
-/// Displacement of a spindle over time at one power or speed, which starts at t = 0 from rest. The
+/// Displacement of a spindle over time after a step from rest at t = 0 to one power or speed. The
 /// times are in ascending order.
 struct LoadCase {
   std::string name = {};

@@ -15,11 +15,12 @@ namespace raceway::model {
 /// order is: base law, arrangement, bearing, spindle, then the effects in their order. Each line
 /// below gives the name of a parameter and its addresses in the model file.
 ///
-///   f0, z, y, mu_bl, scale ...  friction.f0; limiting_traction: lubricant.limiting_traction
+///   f0, z, y, mu_bl, scale ...  friction.f0, friction.z and so on
+///   limiting_traction           lubricant.limiting_traction
 ///   preload_N                   arrangement.preload_N: force on each set at standstill
 ///   inner_conformity            bearing.inner_conformity; outer_conformity likewise
 ///   conformity                  both conformities, if they are equal in the model
-///   contact_angle_deg           bearing.contact_angle_deg: free angle; unchanged preload force
+///   contact_angle_deg           bearing.contact_angle_deg: free contact angle; same preload force
 ///   convection_factor           ambient.convection_factor of a spindle
 ///   lubricant_conductance_W_K   bearing.lubricant_conductance_W_K
 ///   outer_conductance_W_m2K     seat.outer_conductance_W_m2K, if the model gives it
@@ -34,6 +35,7 @@ namespace raceway::model {
 ///   sensor.NAME.position_mm     sensor.2.position_mm of the third sensor
 ///   mixed-lubrication.K_rs      effect.2.K_rs of the third effect; the name is "id.name"
 ///
+/// Indices in addresses begin at 0, and coolant.circuit.0 is the second circuit.
 /// Parameters of the bearing exist only with a shaft whose sets have equal bearings. Each of these
 /// parameters has one value for all bearings of the arrangement. The preload is a parameter only if
 /// it is given as a force. `neutral` and the plausible range are NaN except for parameters of

@@ -29,8 +29,9 @@ struct Rings {
 /// the sets.
 [[nodiscard]] std::vector<Rings> rings_of(const Spindle& spindle, const bearing::Arrangement& sets);
 
-/// Returns the names of this many bearings in the order of rings_of(): front_1, rear_1 and so on; a
-/// roller bearing has its own name.
+/// Returns the names of all bearings in the order of rings_of(). `front` and `rear` are the numbers
+/// of bearings in the sets, whose names are front_1, rear_1 and so on. Roller bearings have the
+/// names in `rollers`.
 [[nodiscard]] std::vector<std::string> bearing_names(std::size_t front, std::size_t rear,
                                                      std::span<const RollerOnShaft> rollers);
 

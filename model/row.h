@@ -11,7 +11,7 @@ namespace raceway::model {
 /// One row of a record, as input of predictions.
 struct Row {
   bearing::OperatingPoint point;  ///< radial load along y; external axial load of a shaft
-  effects::Record record;         ///< view of the record, which must outlive it
+  effects::Record record;         ///< view of the record; the record must outlive this view
   double preload = unset;         ///< preload force of the sets at standstill [N]
 };
 

@@ -14,9 +14,9 @@
 
 namespace raceway::model {
 
-/// Predicts one row repeatedly with different parameters of one model. The predictor stores the
-/// equilibrium, which is solved again only after a change of the condition, and all other results
-/// that a parameter does not change. See predict_friction() for the steps.
+/// Predicts one row repeatedly with different parameters of one model. The predictor stores all
+/// results. It solves the equilibrium again only if the condition changes, and computes other
+/// results again only if a changed parameter affects them. See predict_friction() for the steps.
 class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
@@ -33,7 +33,7 @@ class RowPredictor {
                Rollers rollers = nullptr);
 
   /// Returns the reading of the rig [N m]; NaN without a prediction. Results are stored. Parameters
-  /// of the model that act before the stage `from` must be the same as in the last call.
+  /// that affect a stage before `from` must have the same values as in the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
   /// Returns the bearing and loads whose equilibrium predict() will need, so that a caller can

@@ -163,7 +163,7 @@ struct Coolant {
 /// A further coolant circuit, with a channel around another span of the housing.
 struct Circuit {
   std::string name;  ///< NAME in the columns NAME_outlet_temperature_C and heat_to_NAME_W
-  Coolant channel;   ///< its inlet temperature may be NaN: value of the first circuit
+  Coolant channel;   ///< if its inlet temperature is NaN, the value of the first circuit is used
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };

@@ -30,10 +30,12 @@ struct DiagnoseOptions {
 /// Finds out whether the model misses an effect, and which effect it is or which measurement would
 /// decide.
 ///
-///   noise from a saturated regression -> gate (smooth misfit, largest score) -> each candidate
-///   alone, then pairs and triples, refitted with all base parameters -> gate again on the
-///   residuals
-///   -> blocked hold-out, plausible size -> next measurements
+///   1. noise from a saturated regression
+///   2. gate: test for any missing effect, by the smooth misfit and the largest score
+///   3. refit of all base parameters with each candidate alone, then with pairs and triples
+///   4. gate again, on the residuals of these fits
+///   5. test on held-out blocks of rows, and check of the sizes
+///   6. next measurements, if the data cannot decide
 ///
 /// The gate tests at a level of 1 % whether any effect is missing. An effect is accepted if -2 ln L
 /// falls by more than ln N + 2 ln m, with N readings and m tried candidates. The verdict names the

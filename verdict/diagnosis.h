@@ -222,9 +222,10 @@ struct Diagnosis {
   int rows = 0;              ///< number of rows used
   std::vector<std::size_t> outliers;            ///< rows with reduced weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows without a prediction
-  /// Other base models: first the model of `given_other_base`, if there is one, then the others,
-  /// best first and laws with fitted exponents last. Other base models are tried if no candidate
-  /// explains the misfit, or if one candidate fits only with another law or an implausible size.
+  /// Other base models: first the model of `given_other_base`, if there is one. The others follow,
+  /// best first, and laws with fitted exponents come last. Other base models are tried if no
+  /// candidate explains the misfit, or if one candidate fits only with another law or an
+  /// implausible size.
   std::vector<OtherBaseTried> other_bases{};
   /// Diagnosis with the first model of `other_bases` as the base model, with single candidates
   /// only. Null if no other base model is good enough.

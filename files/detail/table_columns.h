@@ -3,7 +3,8 @@
 #include <array>
 #include <string_view>
 
-/// Names in the file of a Stribeck table, for its writer and its reader.
+/// Column names and the mark of a slab in the file of a Stribeck table, for its writer and its
+/// reader.
 namespace raceway::files {
 
 inline constexpr std::array<std::string_view, 5> leading_columns{
