@@ -16,8 +16,8 @@ namespace raceway::effects {
 /// Source:   definition. Adjacent ISO grades (ISO 3448) differ by a factor of 1.5, and an oil may
 ///           deviate by 10 % from the middle of its grade.
 /// Domain:   every viscosity. Palmgren's viscous moment is proportional to ν^(2/3), so f0 absorbs
-///           this error. f0 does not absorb the error at low speed with thin oil (ν n below 2000)
-///           or in other terms that depend on viscosity.
+///           this error. f0 does not absorb the error at low speed with thin oil (ν n below 2000
+///           mm²/s rpm) or in other terms that depend on viscosity.
 struct LubricantViscosity {
   static constexpr std::string_view id = "lubricant-viscosity";
   static constexpr std::string_view title = "the oil grade differs from the entered grade";

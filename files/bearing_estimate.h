@@ -46,9 +46,9 @@ struct EstimatedBearing {
 /// Throws InputError for a bearing without angular contact.
 [[nodiscard]] BearingOutline outline_of(std::string_view designation);
 
-/// Estimates the inner geometry from catalogue rows of similar section: (D - d)/(D + d) differs by
-/// less than 0.025. If there are fewer than eight such rows, all rows with a contact angle are
-/// used.
+/// Estimates the inner geometry from catalogue rows of similar section, whose ratio (D - d)/(D + d)
+/// differs from the ratio of this bearing by less than 0.025. If there are fewer than eight such
+/// rows, all rows with a contact angle are used.
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///

@@ -12,11 +12,12 @@ namespace raceway::files {
 /// Reads a CSV file of measurements and converts it to SI. docs/files.md lists the columns with
 /// their units.
 ///
-/// If the file has no columns of loads or temperature, the values of the model are used. The
-/// inertia of the model converts a coast-down (a record of only time and speed) to friction torque:
-/// see Expected. The reader keeps the measured columns that `subject` predicts. If the file has
-/// none of these columns, it keeps the first column of Expected::measured, which `subject` may
-/// reject. `notes` of the record list everything that was filled in, ignored or omitted.
+/// If the file has no columns of loads or temperature, the values of the model are used. For a
+/// coast-down (a record of only time and speed), the reader calculates the friction torque with the
+/// inertia of the model: see Expected. The reader keeps the measured columns that `subject`
+/// predicts. If the file has none of these columns, it keeps the first column of
+/// Expected::measured, which `subject` may reject. `notes` of the record list everything that was
+/// filled in, ignored or omitted.
 ///
 /// An empty cell is an error, with one exception: if the file has several measured columns, an
 /// empty cell in one of them is a missing reading.

@@ -20,11 +20,12 @@ struct Expected {
     double value;      ///< in every row [SI]; NaN: the column is required
     std::string from;  ///< source of the value: "[rig]"
   };
-  /// Substitute for a missing column, used if the partner column is present.
+  /// Substitute for the missing column of `channel`, used if the column of `partner` is present.
+  /// Inner and outer ring temperature are partners.
   struct Partner {
     const record::Channel* channel;
     const record::Channel* partner;
-    std::string from;  ///< description of the substitute
+    std::string from;  ///< description of the substitute, for a note
   };
   std::vector<Default> defaults{};
   std::vector<Partner> partners{};

@@ -22,7 +22,7 @@ namespace raceway::model {
 /// datum.
 [[nodiscard]] std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id);
 
-/// Returns the parameter whose value is the datum, with the name of the candidate.
+/// Returns the datum as a parameter that has the name of the candidate.
 [[nodiscard]] fit::Parameter own_datum_parameter(const Model& model, std::string_view id);
 
 /// Returns an explanation of a datum, for any model; empty if the id is not a datum.

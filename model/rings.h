@@ -10,7 +10,8 @@
 
 namespace raceway::model {
 
-/// Rings of a bearing on the shaft and their seats, for balls or rollers. Sizes are diameters.
+/// Rings of a bearing on the shaft and their seats, for balls or rollers. Radial sizes are given as
+/// diameters.
 struct Rings {
   double position = unset;                      ///< distance of the middle from the nose face [m]
   double width = unset;                         ///< [m]

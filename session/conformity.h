@@ -18,9 +18,11 @@ struct CatalogueConformity {
   std::vector<files::NamedFile> files{};  ///< files that the model names
 
   [[nodiscard]] bool found() const;
-  /// Returns the reason why no conformity gives the printed rigidities; empty if found().
+  /// Returns a sentence with the range in which no conformity gives the printed rigidities; empty
+  /// if found().
   [[nodiscard]] std::string problem() const;
-  /// Returns a warning if no single conformity gives the rigidities of all preload classes.
+  /// Returns a warning if the rigidities with the fitted conformity differ from the printed
+  /// rigidities by more than 5 % (RMS over the preload classes).
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string json() const;
 };

@@ -18,8 +18,8 @@ struct ControlExport {
   std::string hal{}, hal_shutdown{};
 };
 
-/// Throws text::InputError if the format is linuxcnc and the name of the output file is not a valid
-/// component name.
+/// Throws text::InputError if the format is linuxcnc and the output file is not a valid component
+/// name with the ending .py.
 void require_control_name(const std::string& format, const std::string& output);
 
 /// Names of the HAL files that start and stop the component of LinuxCNC.

@@ -38,8 +38,8 @@ namespace raceway::session {
                                     std::span<const shaft::ShaftPoint> points,
                                     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Compares the rows of a bearing or shaft table with the limits. The constructor finds the columns
-/// by their names. For roller bearings, only the speed is compared.
+/// Compares the rows of the table of a bearing or of a shaft with the limits. The constructor finds
+/// the columns by their names. For roller bearings, only the speed is compared.
 class JudgedColumns {
  public:
   /// The model must live longer than this object.

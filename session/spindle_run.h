@@ -43,7 +43,8 @@ struct SpindleRun {
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
-  /// Returns the number of rows of the programme, without the row of an early end.
+  /// Returns the number of rows of the programme, without the row that a run with an early end
+  /// adds.
   [[nodiscard]] std::size_t rows_asked() const { return profile.size() - (run.has_end ? 1 : 0); }
   [[nodiscard]] std::size_t rows_reached() const {
     return run.moments.size() - (run.has_end ? 1 : 0);

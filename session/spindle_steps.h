@@ -68,8 +68,8 @@ struct SpindleSteps {
                                            const StepQuestion& question);
 
 /// Returns step responses from imported load cases; `file` may be null. For a case with only a
-/// speed, the power comes from the model at the lubricant temperature [C]; NaN means the rig
-/// temperature of the model.
+/// speed, the power comes from the model at the lubricant temperature `temperature_C` [C]; NaN
+/// means the rig temperature of the model. Throws text::InputError for such a case without a model.
 [[nodiscard]] SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases,
                                           const std::string& source, const files::ModelFile* file,
                                           double temperature_C);

@@ -6,9 +6,10 @@
 /// Decompositions of matrices of any size.
 ///
 /// Eigen's decompositions are templates that take many seconds to compile. This folder compiles
-/// them once, for matrices of double, and other files call functions. Each function returns exactly
-/// the result of Eigen's class for its method. If an entry of A is not finite, results are NaN and
-/// ranks are 0. HouseholderQr, LowerRoot and reduce_to_triangle() do not check the entries.
+/// them once, for matrices of double, and other files call the functions below. Each function
+/// returns exactly the result of Eigen's class for its method. If an entry of A is not finite,
+/// results are NaN and ranks are 0. HouseholderQr, LowerRoot and reduce_to_triangle() do not check
+/// the entries.
 namespace raceway::algebra {
 
 /// Solution x of min |b - A x|, by QR with column pivoting. A: m × n, b: m, x: n.
@@ -34,12 +35,12 @@ namespace raceway::algebra {
 /// Inverse of a symmetric, definite A, by L D Lᵀ. A: n × n; only the lower triangle is read.
 [[nodiscard]] Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A);
 
-/// Solution x of A x = b for a regular A, by LU with partial pivoting. A: n × n.
+/// Solution x of A x = b for a nonsingular A, by LU with partial pivoting. A: n × n.
 ///
 /// For a singular A, x is not finite or is huge.
 [[nodiscard]] Eigen::VectorXd solve_square(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// Inverse of a regular A, by LU with partial pivoting. A: n × n.
+/// Inverse of a nonsingular A, by LU with partial pivoting. A: n × n.
 [[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& A);
 
 /// Inverse of the lower triangular L in A = L Lᵀ. A: n × n, symmetric and positive definite.
@@ -84,8 +85,8 @@ struct RightSvd {
 /// Householder vectors, not zeros.
 void reduce_to_triangle(Eigen::MatrixXd& A);
 
-/// Decomposition A P = Q R of A: m × n. P orders the columns: each next column has the largest part
-/// that the previous columns do not span.
+/// Decomposition A P = Q R of A: m × n. P orders the columns: each next column has the largest
+/// component outside the span of the previous columns.
 class PivotedQr {
  public:
   explicit PivotedQr(const Eigen::MatrixXd& A);

@@ -13,9 +13,10 @@ namespace raceway::files {
 
 /// Finds numbers in one column that instruments and loggers write instead of a reading, such as
 /// -9999, 9999.9, and 9.9e37 of IEEE 488.2. A number such as -9999 is a placeholder only if no
-/// other number of the column is near it. Temperatures and readings outside the allowed range of
-/// their channel are placeholders too, if there are at most a tenth as many of them as of other
-/// readings. More such numbers indicate another unit.
+/// other number of the column is near it. In the column of a setting, such as the speed, a positive
+/// whole number such as 9999 is not a placeholder. Temperatures and readings outside the allowed
+/// range of their channel are placeholders too, if there are at most a tenth as many of them as of
+/// other readings. More such numbers indicate another unit.
 class ImpossibleCells {
  public:
   /// `with_sign`: true if the values may be negative. `table` and `source` must live longer than
@@ -34,7 +35,7 @@ class ImpossibleCells {
   text::CellRange range_;
   bool judges_range_;
   bool looked_ = false, few_beyond_ = false;
-  /// Lowest and highest number of the column that is not a placeholder.
+  /// Lowest and highest of the numbers in the column that are not placeholders.
   double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;
 };
 

@@ -66,7 +66,7 @@ class Section {
       : source_(std::move(source)), name_(std::move(name)), table_(table), keys_(std::move(keys)) {
     if (!keys_.empty()) refuse_others();
   }
-  /// Returns this table with all keys that it may have. Throws InputError if the table has other
+  /// Returns this table with `keys` as its possible keys. Throws InputError if the table has other
   /// keys.
   [[nodiscard]] Section with(Keys keys) const { return {source_, name_, table_, std::move(keys)}; }
   /// Returns this table with some of its keys. The table may have other keys.

@@ -15,7 +15,8 @@ struct Weighed {
   fit::Problem problem{};
   fit::Whitening whitening{};
   bool noise_known = false;
-  /// The weights come only from declared deviations, which may be smaller than the noise.
+  /// True: the weights come only from declared standard deviations, which may be smaller than the
+  /// noise.
   bool as_declared = false;
   bool by_misfit = false;  ///< true: the fit added a common scatter to the declared deviations
 };
