@@ -10,9 +10,10 @@ namespace raceway::verdict {
 struct NextPoints {
   std::vector<SuggestedMeasurement> points;
   std::vector<fit::Axis> axes;  ///< inputs that a point sets, with their possible values
-  /// Predicted χ² that remains if the wrong one of two explanations is refitted to new readings
-  /// [1]. The two explanations are the pair that is hardest to separate. `predicted_separation` is
-  /// for readings at `points`, `separation_by_repetition` for as many repeats of existing rows.
+  /// Predicted χ² that remains if the wrong one of two explanations is refitted to the present and
+  /// the new readings [1]. The two explanations are the pair that is hardest to separate. For
+  /// `predicted_separation`, the new readings are at `points`; for `separation_by_repetition`, they
+  /// are as many repeats of existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 
