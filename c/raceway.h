@@ -101,8 +101,8 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 /// columns   indices of the `column_count` columns to compute, from raceway_column_index(). With
 ///           NULL or a count of 0, all columns are computed, in their order.
 /// values    [count x columns], one column after the other: state i of the j-th given column is
-///           values[j * count + i], in Fortran and MATLAB values(i, j). A value without a result is
-///           NaN.
+///           values[j * count + i], in Fortran and MATLAB values(i, j). A result that cannot be
+///           computed is NaN.
 /// status    [count] RACEWAY_STATUS constants, or NULL if you do not need them.
 ///
 /// Returns RACEWAY_DONE if all states converged. Returns RACEWAY_WRONG_INPUT and writes no values

@@ -41,7 +41,7 @@ struct OutputFlags {
   void put(const std::string& text, const std::string& what = {}) const;
 };
 
-/// Results of a command: a table (`-o` and its form), a JSON document, a page, or text.
+/// Flags for the results of a command: a table (`-o`, `--format`), JSON, a report page, or text.
 struct ResultFlags : OutputFlags {
   CsvStyle csv;
   bool json = false;

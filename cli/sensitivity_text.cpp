@@ -105,7 +105,7 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
              table.text(std::max<std::size_t>(terminal_width(), narrowest + (p.global ? 30 : 0))));
   if (!left_out.empty())
     print_words(fmt::format(
-        "numbers that each cause less than 0.1 % of the sum of the squared changes: {}",
+        "not shown, because each causes less than 0.1 % of the sum of squared changes: {}",
         left_out.size() > most_named ? fmt::format("{} (--all lists them)", left_out.size())
                                      : text::listed(left_out)));
   if (p.global) {

@@ -35,9 +35,9 @@ struct Number {
                                                         const TimeConstantLimits& limits = {});
 
 /// Returns the names of the free parameters in the order of the model. Model::free selects the free
-/// parameters by name or group. If Model::free is empty, all parameters are free, except scales
-/// without a prior. Parameters of user-defined effects that are off are never free. Throws
-/// std::invalid_argument for an unknown name.
+/// parameters by name or group. If Model::free is empty, all parameters are free, except scale
+/// factors without a prior. A parameter of a user-defined effect that is off is never free, even if
+/// Model::free names it. Throws std::invalid_argument for an unknown name.
 [[nodiscard]] std::vector<std::string> free_names(const Model& model);
 
 /// Returns true if a name denotes a group of parameters, such as "gains".

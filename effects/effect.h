@@ -227,8 +227,8 @@ struct Exclusions {
   /// True: the contact law contains the effect if oil_fraction > 0.
   bool within_oil_fraction = false;
   /// True: the effect changes the viscous moment. Such an effect is not allowed with the law
-  /// `table`, because a friction table may contain only the total moment. Effects on the lubricant
-  /// and corrections of the base law are never allowed with this law and need no flag.
+  /// `table`, because some friction tables give only the total moment. Effects on the lubricant and
+  /// corrections of the base law are never allowed with this law and need no flag.
   bool of_viscous_moment = false;
   /// Reason why cylindrical rollers do not have the effect. Effects on the condition and effects
   /// that use ball loads need no text: they are never allowed for rollers.

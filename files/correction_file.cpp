@@ -521,13 +521,13 @@ class CorrectionReader {
         characteristic(s, c.input, "time_constant", element_time_keys, minute),
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
-        fmt::format("channel {}: at {} of 0, the program uses a gain of 0, whatever the key gain "
-                    "gives, and the time constant that the key time_constant gives for this {}{}",
-                    c.name, c.input.is_power() ? "a power" : "an input",
-                    c.input.is_power() ? "power" : "input",
-                    c.input.is_power()
-                        ? ". The publication of this law gives no value for standstill"
-                        : ""),
+        fmt::format(
+            "channel {}: at {} of 0, the gain is 0, and the value of `gain` is ignored; the "
+            "time constant is the value of `time_constant` at this {}{}",
+            c.name, c.input.is_power() ? "a power" : "an input",
+            c.input.is_power() ? "power" : "input",
+            c.input.is_power() ? ". The publication of this law gives no value for standstill"
+                               : ""),
         {.key = c.name}));
   }
 

@@ -20,9 +20,9 @@ namespace raceway::files {
 ///                single sensor looks like Fahrenheit if its lowest reading, converted from
 ///                Fahrenheit, is within 1.5 K of the lowest reading of all sensors.
 /// Displacements: the test divides the range of a displacement by the largest range of a
-///                temperature (at least 2 K). Ratios below 0.02 or above 300 um/K look like mm, m
-///                or nm (angles: arcsec, mrad, deg or rad), if the ratio in this unit is 0.05 to
-///                100 um/K (urad/K).
+///                temperature. It needs a temperature range of at least 2 K. Ratios below 0.02 or
+///                above 300 um/K look like mm, m or nm (angles: arcsec, mrad, deg or rad), if the
+///                ratio in this unit is 0.05 to 100 um/K (urad/K).
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 

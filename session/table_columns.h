@@ -10,7 +10,7 @@
 
 /// Columns of a table in addition to the torque. A bearing has columns for moments, contact angles,
 /// pressures and others. A shaft has these columns for every bearing, and the axial position as the
-/// last column. Single states of a bearing also have columns for stiffness and ball loads.
+/// last column. With Columns::of_states, a bearing also has columns for stiffness and ball loads.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };

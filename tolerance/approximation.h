@@ -91,9 +91,10 @@ void require_fit(const Approximation& approximation);
 /// blocks. A simulation always runs through all rows.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// Repeats the fit on single rows almost without the ridge of Separable, starting from the previous
-/// result. If the parameters then diverge, the function uses the ridge. For more than 20 000 rows,
-/// it fits means. `rows` receives the fitted rows or means.
+/// Repeats the fit on individual rows instead of means, with a ridge of 1e-12 instead of that of
+/// Separable, starting from the previous result. If the parameters then diverge, the function uses
+/// the usual ridge. For more than 20 000 rows, it fits means. `rows` receives the fitted rows or
+/// means.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 

@@ -40,9 +40,10 @@ struct SearchLimits {
   std::function<bool()> cancelled{};
 };
 
-/// Searches for candidates that explain a misfit, in this order: single candidates, both
-/// corrections of the base law, pairs, triples, laws multiplied by powers. The search ends when the
-/// residuals are noise or, if a tolerance is given, when the held-out error is within it.
+/// Searches for candidates that explain a misfit, in this order: single candidates, the two
+/// corrections of exponents together, pairs, triples, candidates multiplied by powers of inputs.
+/// The search ends when the residuals are noise or, if a tolerance is given, when the held-out
+/// error is within it.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
