@@ -13,11 +13,12 @@ namespace raceway::cli {
 /// Prints the number of rows, the noise and the columns of a record, the parameters that can be
 /// fitted and the effects that can be tested.
 void print_check(const loop::Check& check, const record::Record& data);
-/// Prints for which time the settings of a row apply: from the previous row to this row, or from
-/// this row to the next row.
+/// Prints for which time the settings of a row apply (from the previous row to this row, or from
+/// this row to the next row), and whether the reading of the row was taken before or after the
+/// settings changed.
 void print_settings_hold(record::SettingsHold hold);
-/// Prints the time steps, the noise and the resolutions of a record over time, and a check of
-/// printed transfer functions.
+/// Prints the time steps, the noise and the resolutions of a record over time, and a check of the
+/// published transfer functions of the model.
 void print_check(const correction::RecordCheck& check);
 /// Prints the assumptions of a model, one per line: defaults, estimates, and values that the file
 /// marks as assumed.

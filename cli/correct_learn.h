@@ -17,8 +17,8 @@ struct LearnFlags {
 
   /// Declares the flags.
   void declare(CLI::App& command);
-  /// Checks the flags before reading files. Throws text::InputError for a flag without --learn, an
-  /// invalid duration, and a file that cannot be written.
+  /// Checks the flags before reading files. Throws text::InputError if another of these flags is
+  /// given without --learn, for an invalid duration, and for a file that cannot be written.
   void check(text::IfExists if_exists) const;
 };
 

@@ -41,7 +41,8 @@ struct OutputFlags {
   void put(const std::string& text, const std::string& what = {}) const;
 };
 
-/// Flags for the results of a command: a table (`-o`, `--format`), JSON, a report page, or text.
+/// Flags for the results of a command: a table (`-o FILE`, with the form in `csv`), a JSON
+/// document, or a page. Without these flags, the command prints text.
 struct ResultFlags : OutputFlags {
   CsvStyle csv;
   bool json = false;
@@ -51,8 +52,8 @@ struct ResultFlags : OutputFlags {
   /// `forms` are further names that --format accepts, with their `help`.
   void declare_results(CLI::App& command, const std::vector<std::string>& forms = {},
                        const std::string& help = {});
-  /// Throws text::InputError if table and document would both go to stdout, or if a file cannot be
-  /// written.
+  /// Throws text::InputError if the table and the JSON document would both go to stdout, or if a
+  /// file cannot be written.
   void check_results(const std::string& command) const;
   /// Writes the table if it was requested, and prints "run.csv written" followed by `what`.
   void put_table(const std::function<std::string()>& table, const std::string& what) const;

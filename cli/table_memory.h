@@ -12,7 +12,7 @@ namespace raceway::cli {
 enum class TableForm { text, file, json };
 
 /// Throws text::InputError for a table that has too many points for one run or that is too large
-/// for the memory. The message gives the size and a suitable number of slabs. If a table
+/// for the memory. The message gives the size and a suitable number of parts for --slab. If a table
 /// needs more than 1 GB, the function prints this size to stderr. Call it before the calculation.
 /// `columns` is the number of values per point.
 void require_memory(const friction::TableAxes& axes, const friction::TableSlab& slab,

@@ -43,7 +43,7 @@ enum class Need {
   time,                 ///< time of every row
   ring_temperatures,    ///< temperatures of inner and outer ring
   loads,                ///< a load above zero in every row, because the ball equilibrium needs it
-  several_axial_loads,  ///< more than one axial load, even if other settings vary
+  several_axial_loads,  ///< more than one axial load; several radial loads are not sufficient
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above
   ball_load_law,        ///< a law or an effect that uses ball loads, such as the law contact
@@ -167,7 +167,7 @@ struct MomentInputs {
 /// Inputs of an effect on the reading of a measured channel.
 struct ReadingInputs {
   double value;                          ///< predicted value of the measured channel [SI]
-  const bearing::OperatingPoint& point;  ///< on a shaft with the external axial load
+  const bearing::OperatingPoint& point;  ///< for a shaft, the axial load is the external load
   const Record& record;
 };
 

@@ -21,7 +21,7 @@ class OwnMoment {
   [[nodiscard]] virtual double moment(const MomentInputs& inputs,
                                       std::span<const double> values) const = 0;
   /// Returns true if a model file can store the moment. The result is true for a formula, and false
-  /// for a function of a program.
+  /// for a function that a Python program passes.
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 

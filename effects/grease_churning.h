@@ -13,7 +13,8 @@ namespace raceway::effects {
 ///
 ///   M = A M0 exp(-t/τ)
 ///
-/// M0 is the viscous moment of the base law, and t the time of the row.
+/// M0 is the viscous moment of the base law, t the time of the row, A the relative increase of M0
+/// at t = 0, and τ the time constant of the decay.
 /// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
 ///           and τ of 1 to 20 h, applied to the viscous moment, because churning does not depend on
 ///           load.

@@ -11,13 +11,15 @@ namespace raceway::effects {
 ///
 ///   M = c Σ M_g
 ///
-/// The effect is a candidate for a misfit that grows with the square of speed. The moment of the
-/// effect also grows with load, through the contact angle at the outer race. The moment is not the
-/// friction of gyroscopic sliding: the axis of M_g is perpendicular to the shaft, so these moments
-/// do not brake the shaft. Sliding dissipates the power Σ M_f ω_slip, which needs the moment
+/// M_g is the gyroscopic moment of one ball, and the sum is over all balls. The effect is a
+/// candidate for a misfit that grows with the square of speed. The moment of the effect also grows
+/// with load, through the contact angle at the outer race. The moment is not the friction of
+/// gyroscopic sliding: the axis of M_g is perpendicular to the shaft, so the gyroscopic moments do
+/// not brake the shaft. Sliding dissipates the power Σ M_f ω_slip, which needs the moment
 /// Σ M_f ω_slip/ω on the shaft (M_f: friction moment on a ball, ω: speed of the shaft). Sliding
-/// begins only above the friction limit, M_g > about μ Q D/2. This effect has no threshold and no
-/// slip speed, and c is not a friction coefficient.
+/// begins only above the friction limit, M_g > about μ Q D/2 (μ: friction coefficient, Q: contact
+/// load, D: ball diameter). This effect has no threshold and no slip speed, and c is not a friction
+/// coefficient.
 ///
 /// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; M = c Σ M_g is empirical.
 /// Domain:   converged equilibrium, else NaN; zero at standstill.

@@ -15,9 +15,10 @@ namespace raceway::effects {
 ///   u = (d/d_i) I/2,   I = max(I0 - (3 + ν) ρ ω² d d_i²/(16 E), 0)
 ///
 /// I0 is the interference at standstill, and I the interference at speed. The bore is d, and the
-/// diameter of the inner raceway is d_i = d_m - D cos α0. At an entered axial load, the growth
-/// changes the free contact angle α0: cos α0 becomes cos α0 + u/(B D), where B D is the distance
-/// between the groove centres.
+/// diameter of the inner raceway is d_i = d_m - D cos α0 (d_m: pitch diameter, D: ball diameter).
+/// ν, ρ and E are Poisson's ratio, density and elastic modulus of the rings. At an entered axial
+/// load, the growth changes the free contact angle α0: cos α0 becomes cos α0 + u/(B D), where B D
+/// is the distance between the groove centres.
 /// Source:   derived from Lamé for a ring of rectangular section on a solid shaft of the same
 ///           material. The second term of I is the growth of the bore relative to the shaft at
 ///           speed. The centrifugal growth of the raceway is a separate effect.

@@ -19,9 +19,9 @@ namespace raceway::effects {
 /// Source:   definition. Load cells are accurate to 0.1 to 1 % of full scale. A wrong lever arm,
 ///           friction in the loading device or a wrong sensitivity causes errors of up to about 20
 ///           %.
-/// Domain:   s > 0. Palmgren's load moment is a power of the load. Without radial load, z therefore
-///           absorbs this error. The error is visible under a radial load and in effects that use
-///           ball loads.
+/// Domain:   s > 0. Palmgren's load moment is a factor z times a power of the load. Without radial
+///           load, z therefore absorbs this error. The error is visible under a radial load and in
+///           effects that use ball loads.
 struct LoadCalibration {
   static constexpr std::string_view id = "load-calibration";
   static constexpr Form form = Form::rig;

@@ -21,7 +21,7 @@ namespace raceway::effects {
 ///           this drift.
 /// Domain:   loads not below zero. T is the temperature of the row (temperature_C); the temperature
 ///           of the cell may differ. Another reference temperature than 20 °C would change only the
-///           fitted z.
+///           fitted factor z of Palmgren's load moment.
 struct LoadCellDrift {
   static constexpr std::string_view id = "load-cell-drift";
   static constexpr Form form = Form::rig;

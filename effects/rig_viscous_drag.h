@@ -13,8 +13,9 @@ namespace raceway::effects {
 ///   M = c (n/10 000 rpm)
 ///
 /// c is the moment at 10 000 rpm.
-/// Source:   shear of a film of constant height, η ω A r²/h, derived. The viscosity is assumed
-///           constant, because the support does not have the temperature of the bearing.
+/// Source:   shear of a film of constant height h, η ω A r²/h, derived (η: viscosity, A: area of
+///           the film, r: its radius). η is assumed constant, because the support does not have the
+///           temperature of the bearing.
 /// Domain:   every speed. A measurement without the bearing distinguishes this drag from the
 ///           bearing friction.
 struct RigViscousDrag {

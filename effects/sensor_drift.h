@@ -11,6 +11,7 @@ namespace raceway::effects {
 ///
 ///   x_read = x + c (T - T0)/10 K
 ///
+/// x is the true value, and c the drift per 10 K.
 /// Source:   definition. T0 is the temperature at which the sensor was zeroed. T0 is rarely
 ///           recorded, so the fit finds T0 within the temperature range of the record.
 /// Domain:   every reading. T is the temperature of the row (temperature_C), not a ring
@@ -37,6 +38,7 @@ struct SensorTemperatureDrift : SensorFault<card> {
 ///
 ///   x_read = x + c t/1 h
 ///
+/// x is the true value, t the time of the row, and c the drift per hour.
 /// Source:   definition. If the points are measured in random order, the data can distinguish the
 ///           drift from the influence of speed and load.
 /// Domain:   needs the time of each row in the file.

@@ -21,8 +21,8 @@ namespace raceway::effects {
 /// F1 is the axial force on the bearing that the external load F_a loads further, and F2 the axial
 /// force on the bearing that F_a relieves. P is the preload, and n the speed. F_rigid is F2 in a
 /// rigid pair (bearing/rigid_preload.h). The mounting u interpolates smoothly between three kinds
-/// of preload. u = 0 is a soft spring on the second bearing. u = 1 is a rigid pair with constant
-/// preload. u = 2 is a rigid pair whose preload grows with speed.
+/// of preload. u = 0 is a soft spring that keeps F2 at P. u = 1 is a rigid pair with the preload of
+/// standstill at every speed. u = 2 is a rigid pair whose preload grows with speed.
 ///
 /// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The
 ///           exponent 4/3 comes from Palmgren's load moment with y = 1/3.

@@ -14,7 +14,8 @@ namespace raceway::effects {
 ///   u_read = u - c (n/10 000 rpm)²,   c = L ν ρ ω² (a² + b²)/(2 E) at 10 000 rpm
 ///
 /// L is the length of the shaft between these two points, and a and b are its inner and outer
-/// radius. The tool side moves back, against positive u.
+/// radius. ν, ρ and E are Poisson's ratio, density and elastic modulus. The tool side moves back,
+/// against a positive axial displacement u.
 ///
 /// Source:   derived without the stress field. The radial equilibrium is
 ///           d(r² σ_r)/dr = r (σ_r + σ_θ) - ρ ω² r³. With no pressure at the radii a and b, its

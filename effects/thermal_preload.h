@@ -66,9 +66,10 @@ struct ThermalPreload : PreloadByOwnHeat {
 ///
 ///   g = c P,   P = (M1 + M0) ω at the bearing's share of the preload
 ///
-/// A free expansion λ d_m/2 of 0.5 um/K and a resistance of 0.01 to 0.1 K/W between the rings give
-/// c = 0.005 to 0.05 um/W. If the ring temperatures are measured, the equilibrium already includes
-/// their expansion, and c describes only the remaining growth.
+/// The free expansion λ d_m/2 (λ: thermal expansion, d_m: pitch diameter) is about 0.5 um/K. With a
+/// thermal resistance of 0.01 to 0.1 K/W between the rings, c is 0.005 to 0.05 um/W. If the ring
+/// temperatures are measured, the equilibrium already includes the expansion of the rings, and c
+/// describes only the remaining growth.
 struct ShaftThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::shaft;
   // The temperatures of a spindle already include this growth.

@@ -9,8 +9,9 @@
 namespace raceway::effects {
 
 /// Common law of the forms for a rig and for a shaft: the inner raceway grows relative to the outer
-/// raceway with the ring temperatures. The free expansion is λ (T_i - T_o) d_m/2 with the thermal
-/// expansion λ of the rings: 0.5 um/K for steel and d_m = 90 mm.
+/// raceway with the temperatures T_i and T_o of inner and outer ring. The free expansion is
+/// λ (T_i - T_o) d_m/2 with the thermal expansion λ of the rings: 0.5 um/K for steel and a pitch
+/// diameter d_m of 90 mm.
 struct GrowthByRingTemperatures {
   static constexpr std::string_view id = "thermal-ring-growth";
   static constexpr bool follows_heat = true;

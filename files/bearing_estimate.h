@@ -79,7 +79,7 @@ struct NamedRow {
 
 /// Returns the text of a model file for one bearing on a rig, or for a spindle with three such
 /// bearings. Comments give the limits of the estimated values. `oil` is the ISO VG grade of the
-/// oil.
+/// oil; if it is empty, the file describes a thin spindle oil.
 [[nodiscard]] std::string estimated_model_text(
     const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren,
     bool of_spindle = false, const std::string& oil = {});

@@ -18,7 +18,7 @@ namespace raceway::files {
 /// Conversion of a number in a measurement file to SI.
 struct CellUnit {
   const text::Unit* unit = nullptr;  ///< unit of the number; null: the unit of the channel
-  double factor = 1.0;  ///< factor by which the number is multiplied first; -1 changes the sign
+  double factor = 1.0;               ///< factor on the number in the file; -1 changes the sign
 
   [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
     return unit ? unit->to_SI(cell * factor) : channel.to_SI(cell * factor);

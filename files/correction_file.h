@@ -25,7 +25,7 @@ struct CorrectionFile {
 };
 
 /// Reads a correction file and converts it to SI. `raceway keys` lists the keys with their units.
-/// File names in it are relative to its folder.
+/// File names in the correction file are relative to the folder of this file.
 ///
 /// Throws InputError with file, line, key, value and allowed range for invalid contents.
 [[nodiscard]] CorrectionFile read_correction(const std::string& path);

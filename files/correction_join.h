@@ -11,7 +11,8 @@ namespace raceway::files {
 /// Text of a joined correction file, with notes for the user.
 struct JoinedCorrection {
   std::string text;
-  std::vector<NamedFile> files{};     ///< files that the text names; empty if `path` is given
+  std::vector<NamedFile> files{};     ///< files that the text names; empty if join_corrections()
+                                      ///< has a `path`
   std::vector<record::Note> notes{};  ///< notes on unused tables, and a note that the trust in the
                                       ///< sum is unknown
 };
@@ -23,10 +24,10 @@ struct JoinedCorrection {
 /// The kinematic law of a file without a list of free parameters is fixed unless it has a prior.
 /// Parameters fitted to a record get a prior from their covariance, except for the offset. In a
 /// file without priors and without a list of free parameters, the priors of correction/prior.h
-/// apply to the kinematic law and to channels with a delay element, a lag whose gain and time
-/// constant depend on the input. The priors are needed because a record of the whole machine seldom
-/// separates the displacements of the single files. File names in the text are relative to the
-/// folder of `path`, or absolute if `path` is empty.
+/// apply to the kinematic law and to channels with a delay element (a lag whose gain and time
+/// constant depend on the input). The priors are needed because a record of the whole machine
+/// seldom separates the displacements of the single files. File names in the text are relative to
+/// the folder of `path`, or absolute if `path` is empty.
 ///
 /// Throws InputError for fewer than two files, for a file with several displacements or with
 /// another displacement, for two channels with the same name, for two kinematic laws, for different

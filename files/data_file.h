@@ -19,8 +19,9 @@ namespace raceway::files {
 /// Expected::measured, which `subject` may reject. `notes` of the record list everything that was
 /// filled in, ignored or omitted.
 ///
-/// An empty cell is an error, with one exception: if the file has several measured columns, an
-/// empty cell in one of them is a missing reading.
+/// An empty cell is an error, with three exceptions. If the record keeps several measured columns,
+/// an empty cell in one of them is a missing reading. Empty cells of measured columns that are not
+/// kept have no influence. With `options.drop_nan`, rows with empty cells are omitted.
 ///
 /// Throws InputError if a required column is missing, if there is no measured column, if a column
 /// name looks misspelt, if a coast-down gives no torque, and for cells that are empty, not numbers

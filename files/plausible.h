@@ -12,10 +12,10 @@ namespace raceway::files {
 /// Checks whether a temperature is unlikely in C but usual in K.
 [[nodiscard]] std::string looks_like_kelvin(std::string_view name, double temperature_C);
 
-/// Checks whether the lengths of a bearing are in inches. The test uses the fraction of the pitch
-/// circle that the balls fill, and the ratio of the load rating to the size of the balls. Lengths
-/// look like inches if the fraction is far too low or the ratio is far too high, and if this value
-/// would be usual with lengths in inches.
+/// Checks whether lengths of a bearing are in inches. The ball diameter is probably in inches if
+/// the balls fill a far too small fraction of the pitch circle. All lengths are probably in inches
+/// if the load rating is far too high for the size of the balls. In both cases, the converted
+/// lengths must give a usual fraction or rating.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

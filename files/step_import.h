@@ -15,7 +15,7 @@ namespace raceway::files {
 /// times are in ascending order.
 struct LoadCase {
   std::string name = {};
-  /// Power in the first and in the last row [W]; NaN: the power follows from the speed.
+  /// Power in the first and in the last row of the case [W]; NaN: only the speed is known.
   double power_start = unset, power_end = unset;
   double speed = unset;                   ///< [rad/s]; NaN: only the power is known
   double at_once = 0.0;                   ///< displacement at t = 0 [m]

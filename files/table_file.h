@@ -19,8 +19,9 @@ struct TableFile {
 /// Returns a Stribeck table as CSV text: `#` lines with title, version and the text of the model
 /// (each line after `#| `), then the columns speed_rpm, axial_load_N, radial_load_N, temperature_C,
 /// friction_torque_Nmm, the other columns of the table, and status. Points without a value have
-/// empty cells. A slab is a table of only some points of a grid; a `#` line in it gives the number
-/// of points and a fingerprint of the whole grid.
+/// empty cells. A slab is a table of only some points of a grid. A `#` line of the slab gives its
+/// number, the number of slabs, the numbers of points of slab and grid, and a fingerprint of the
+/// grid.
 ///
 /// The additional columns of a table are converted from SI to the unit at the end of their names
 /// (_Nmm, _deg, _um, ...). A column without a unit is dimensionless. Numbers have 12 digits.

@@ -22,8 +22,9 @@ struct CostlyFit {
 
 /// Rules that end a fit.
 struct CostlyEnd {
-  double settled = 1e-4;  ///< relative fall of the misfit below which there is no progress [1]
-  /// A fit whose misfit stays above this value ends without new derivatives.
+  double settled = 1e-4;  ///< relative fall of the misfit below which a step is no progress [1]
+  /// If a step is no progress and the misfit is above this value, the fit ends. It does not compute
+  /// new derivatives for another step.
   double hopeless = std::numeric_limits<double>::infinity();
   /// True if the fit stops as soon as the derivatives predict a relative fall below `settled`. The
   /// last step is then an extrapolation without a prediction, and the misfit is approximate.
@@ -51,9 +52,9 @@ class CostlyProblem {
   /// `base` come first, then the parameters of the candidates. `sizes` are the indices of the
   /// parameters that give the candidates their sizes. `initial` contains start values of all
   /// parameters, with sizes that are not neutral. If a size ends at a bound, or the misfit falls by
-  /// less than 10 %, a second fit begins at the start of `base`: the parameters of `base` may have
-  /// compensated for the missing effect. The second fit runs only if this start is far from the
-  /// parameters of `base` and the derivatives predict a gain.
+  /// less than 10 %, a second fit begins at the values at which `base` started, because the fitted
+  /// values of `base` may compensate for the missing effect. The second fit runs only if these two
+  /// sets of values are far apart and the derivatives predict a smaller misfit.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues `fit`, a fit of all parameters, until `end`.

@@ -14,11 +14,11 @@ namespace raceway::fit {
                                                            const Record& record,
                                                            const Observations& observed);
 
-/// Returns the held-out error of each observation [SI]: its block is predicted from a refit to the
-/// other blocks. The refit is linearised at `fit`, which is exact if the readings are linear in the
-/// parameters. It weights each reading by 1/`std` and keeps parameters at a bound fixed. If the
-/// other blocks have no more readings than the refit has parameters, the error is the residual of
-/// `fit`.
+/// Returns the held-out error of each observation [SI], reading minus prediction. The prediction
+/// comes from a refit to all blocks except the block of the observation. The refit is linearised at
+/// `fit`, which is exact if the readings are linear in the parameters. The refit weights each
+/// residual by 1/`std` and keeps parameters at a bound fixed. If the other blocks have no more
+/// readings than the refit has parameters, the error is the residual of `fit`.
 [[nodiscard]] Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit,
                                               const Eigen::VectorXd& measured,
                                               const Eigen::VectorXd& std, const Blocking& blocking);

@@ -42,7 +42,7 @@ struct Isolated {
 /// reading. The distance of the reading from each neighbour is more than 6 robust standard
 /// deviations and more than three times the distance between the two neighbours. The robust
 /// standard deviation is 1.4826 times the median distance of readings from the median of their four
-/// neighbours. It is at least 0.3 % of the range of the central 90 % of the readings. A rise after
+/// neighbours, but at least 0.3 % of the range of the central 90 % of the readings. A rise after
 /// a standstill, a peak at a change of speed and a lasting jump are not isolated readings. Second
 /// rule, at any speed: the 6 standard deviations are replaced by Isolation::impossible times the
 /// range of the readings (without the outermost 1 %, or at least two readings, at either end). If
@@ -70,9 +70,9 @@ struct PossibleRows {
 /// temperature below -60 or above 200 C, and rows with an extreme reading of the first measured
 /// channel. A test that would remove more than a tenth of the rows removes none. A reading is
 /// extreme if it lies outside the range of the readings by more than three times this range,
-/// although the inputs of its row are within the range of the other rows. This range excludes the
-/// outermost 1 % of the readings, or at least two readings, at either end. Records with fewer than
-/// 15 rows are not changed.
+/// although the inputs of its row are within the range of the other rows. The range of the readings
+/// excludes the outermost 1 % of the readings, or at least two readings, at either end. Records
+/// with fewer than 15 rows are not changed.
 [[nodiscard]] PossibleRows without_impossible_rows(const record::Record& record);
 
 }  // namespace raceway::fit

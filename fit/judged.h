@@ -32,7 +32,7 @@ struct Surface {
 /// rows for all terms, the first terms are used.
 struct Saturation {
   Surface surface{};
-  std::vector<const Channel*> levels{};  ///< inputs; each of their levels is a term of its own
+  std::vector<const Channel*> levels{};  ///< inputs of which each level is an additional term
   bool levels_before_candidates = false;
   /// True if every candidate changes the readings in proportion to its size. The change for a small
   /// size (Screened::scores) then gives the change for every size.
@@ -55,20 +55,20 @@ struct Formula {
   };
   std::string key;      ///< key for the formula in a model file
   std::string unit;     ///< unit of the coefficient of the power law
-  double factor = 1.0;  ///< reading [SI] that corresponds to a coefficient of 1
+  double factor = 1.0;  ///< change of the reading [SI] if the power law gives 1 `unit`
   std::vector<Input> inputs{};
 };
 
 /// Value of one input at a measuring point.
 struct Setting {
   const Channel* channel = nullptr;
-  double value = unset;  ///< [SI]; NaN: unchanged
+  double value = unset;  ///< [SI]; NaN: the value in the model applies
 };
 
 /// Values of an input from which the program chooses the next measuring points.
 struct Axis {
   const Channel* channel = nullptr;
-  std::vector<double> levels{};  ///< [SI]; NaN: unchanged
+  std::vector<double> levels{};  ///< values [SI]; NaN: the value in the model
   bool told = true;  ///< true: printed texts name the value; false: only the JSON results have it
 };
 

@@ -56,16 +56,17 @@ struct Repeatability {
 /// Finds the stops of a record and the scatter of the readings within a stop. A stop is a group of
 /// readings of one run. The breaks between groups are much longer than the time steps within a
 /// group. A straight line is subtracted from groups of 4 or more readings, because the machine may
-/// move during the stop. The result is empty if a group has more than 30 readings. It is also empty
-/// unless at least two groups have two or more readings, these groups contain at least half of all
-/// readings, and the scatter has at least 3 degrees of freedom.
+/// move during the stop. The result is empty if a group has more than 30 readings. The result is
+/// also empty unless at least two groups have two or more readings, these groups contain at least
+/// half of all readings, and the scatter has at least 3 degrees of freedom.
 [[nodiscard]] Repeatability repeatability(const record::Record& record,
                                           const record::Channel& measured);
 
 /// Returns the standard deviation of single readings [SI], from repeatability() if it finds stops.
-/// Otherwise, it comes from the distances of readings from the line between their neighbours in
-/// time. It is then NaN if fewer than 30 readings have both neighbours in their run. It is also NaN
-/// if the median time step exceeds 120 s, because noise and real motion cannot be separated.
+/// Otherwise, the standard deviation comes from the distances of readings from the line between
+/// their neighbours in time. In this case, the result is NaN if fewer than 30 readings have both
+/// neighbours in their run, or if the median time step exceeds 120 s, because noise and real motion
+/// cannot be separated.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 

@@ -49,7 +49,7 @@ struct NoiseModel {
   /// (RowOrder::new_block).
   bool undeclared_blocks = false;
   bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
-  /// Indices of readings with reduced weight; none is left out.
+  /// Indices of the outliers. They have a reduced weight, but the fit uses all of them.
   std::vector<std::size_t> outliers{};
   /// Factor by which the standard deviations of each joined record are multiplied [1]; empty if all
   /// records have the same scatter.
@@ -72,8 +72,8 @@ struct NoiseModel {
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
-/// Parts of the noise model. To study the influence of a part, set it to false; it is then not
-/// used.
+/// Parts of the noise model. A part that is set to false is not used; the difference shows its
+/// influence.
 struct NoiseOptions {
   bool correlation = true;
   bool runs = true;

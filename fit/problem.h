@@ -45,7 +45,7 @@ struct Problem {
   std::vector<std::size_t> not_predicted{};
   Observations observed{};
   std::vector<std::string> base{};  ///< names of the free parameters of the model
-  /// Candidates sorted by id, so the order of the caller has no influence.
+  /// Candidates sorted by id, so that the order in which a caller names them has no influence.
   std::vector<Screened> candidates{};
   std::shared_ptr<const void> prepared{};
   /// Function that is called before each prediction. If it returns true, the prediction throws
@@ -59,7 +59,7 @@ struct Problem {
 /// free parameters of the model come first, then the parameters of each candidate.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on);
 
-/// Returns the same function for the observations `observed` of another record.
+/// Works like the function above, for the observations `observed` of another record.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on,
                                      const std::shared_ptr<const Record>& record,
                                      const Observations& observed);

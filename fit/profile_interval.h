@@ -14,7 +14,8 @@ constexpr double profile_rise = normal_95 * normal_95;
 
 struct ProfileInterval {
   double lower = unset, upper = unset;
-  /// True if this end is the bound of the parameter; values beyond it were not tried.
+  /// True if the interval is open at this end, which then is the bound of the parameter, or
+  /// infinite if the parameter has no bound.
   bool open_lower = false, open_upper = false;
   int refits = 0;
 };

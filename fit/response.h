@@ -41,7 +41,8 @@ struct Response {
   /// differences within the bounds.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const;
   /// Returns the derivatives (observations x parameters) from one-sided differences. `at_x` are the
-  /// observations at `x`. Use them only for the steps of a search, because they are less accurate.
+  /// predicted observations at `x`. Use these derivatives only for the steps of a search, because
+  /// they are less accurate than jacobian().
   [[nodiscard]] Eigen::MatrixXd slope_beside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& at_x) const;
   /// Tests whether the observations are affine in the parameters, and stores the affine form if

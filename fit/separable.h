@@ -10,7 +10,8 @@
 
 namespace raceway::fit {
 
-/// Means of readings over neighbouring rows. A model of slow changes needs no single rows.
+/// Means of readings over neighbouring rows. They replace the single rows in the fit of a model of
+/// slow changes.
 struct Means {
   struct Mean {
     std::vector<Eigen::Index> places{};  ///< indices in the output of Predictor::readings()
@@ -26,7 +27,8 @@ struct Means {
 
 /// Returns the tolerance of a channel [SI]. If none is given, a model that only approximates has a
 /// calculated tolerance: the root of the sum of squares of its declared error and the noise of a
-/// reading. If none can be calculated, the result is NaN.
+/// reading, or the declared error alone if the noise is unknown. The result is NaN for other models
+/// and without a declared error.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Returns the means of readings over time intervals of `width` [s]. A mean has rows of one run and
@@ -52,9 +54,9 @@ struct SeparableFit {
 /// parameter whose bounds span more than a decade has a logarithmic scale.
 ///
 /// A ridge of 1e-6 on columns of unit length prevents the gains of two lags with nearly equal time
-/// constants from becoming very large with opposite signs. A prior adds w (v - value)²/std² to the
-/// sum for its parameter v, where w is the variance of a weighted mean. The fitted v is therefore
-/// near the prior, unless the means determine v better than the prior. The object stores
+/// constants from becoming very large with opposite signs. A prior (value ± std) of a parameter v
+/// adds w (v - value)²/std² to the sum, where w is the variance of a weighted mean. The fitted v is
+/// therefore near the prior, unless the means determine v better than the prior. The object stores
 /// predictions that a bending parameter does not change (Predictor::bends()). Several threads must
 /// therefore not use one object at the same time.
 class Separable {

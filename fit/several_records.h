@@ -11,8 +11,8 @@ namespace raceway::fit {
 
 /// One model for several joined records (record::joined()). Own parameters have a separate value in
 /// each record, for example the oil or the temperature of a day. All other parameters and all
-/// candidates are common to all records. For calibrate(), diagnose() and add(), it is one model
-/// with one record.
+/// candidates are common to all records. For calibrate(), diagnose() and add(), this class is one
+/// model with one record.
 ///
 /// The value of the own parameter f0 in the record "monday" is called "f0@monday". Without declared
 /// standard deviations, all records have the same noise model, with a factor for each record if
@@ -66,8 +66,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Subject> without_free_candidates() const override;
   [[nodiscard]] std::unique_ptr<Subject> with_shape(const std::string& id,
                                                     const Shape& shape) const override;
-  /// Returns the other base models. If a base model does not have an own parameter, its
-  /// OtherBase::subject is null, and OtherBase::lacks gives the reason.
+  /// Returns the other base laws of the model, for the same records. If a base law lacks an own
+  /// parameter, its OtherBase::subject is null, and OtherBase::lacks gives the reason.
   [[nodiscard]] std::vector<OtherBase> other_bases() const override;
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string correction(const std::string& id,

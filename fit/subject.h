@@ -24,13 +24,15 @@ using record::Parameter;
 struct Measured {
   const Channel* channel = nullptr;
   /// Size of a reading, divided by the RMS of all readings, below which the scatter no longer falls
-  /// with the reading [1]. It is 1 for a sensor whose scatter does not depend on the reading.
+  /// with the reading [1]. The value is 1 if the scatter of the sensor does not depend on the
+  /// reading.
   double floor = 1.0;
   /// Largest relative standard deviation of the sensor at equal settings [1]. A larger scatter
   /// comes from an input that was not recorded. NaN if unknown.
   double most_scatter = unset;
-  /// Declared error of the model itself [SI]. It is added to the noise as an independent scatter.
-  /// For a model that only approximates, it is part of the calculated tolerance (tolerance_of()).
+  /// Declared error of the model itself [SI]. This error is added to the noise as an independent
+  /// scatter. For a model that only approximates, the error is part of the calculated tolerance
+  /// (tolerance_of()).
   double model_error = 0.0;
   /// Standard deviation of a single reading [SI]; NaN if the model does not declare it.
   double std = unset;
@@ -179,9 +181,9 @@ class Subject : public Judged {
   /// names.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_candidates(
       std::span<const std::string> ids) const = 0;
-  /// Returns a copy without the effects that have a free parameter. They become candidates again,
-  /// because the record must still determine them. Returns null if there are no such effects.
-  /// Default: null.
+  /// Returns a copy without the effects that have a free parameter. These effects become candidates
+  /// again, because the record must still determine their parameters. Returns null if there are no
+  /// such effects. Default: null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
   /// Returns a copy with a formula as an additional candidate with this id, switched off. The
   /// parameters of the candidate start at Shape::coefficients. Returns null if the model supports

@@ -31,8 +31,9 @@ class Band {
 
   /// Returns the names of the fitted parameters.
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
-  /// Returns the half width of each output in its unit; NaN if a parameter has no prediction on
-  /// either side. The operator calls `outputs` once for the model and at most twice for each
+  /// Returns the half width of each output in its unit. The half width is NaN if the output is not
+  /// finite for the fitted values, or if neither a decrease nor an increase of one parameter gives
+  /// a finite output. The operator calls `outputs` once for the model and at most twice for each
   /// parameter. Several threads may call the operator simultaneously.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 

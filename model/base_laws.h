@@ -6,9 +6,9 @@
 
 namespace raceway::model {
 
-/// Names the reason why the model cannot use a base law: it lacks a datum of the bearing or the
-/// friction table, or it has an effect that is valid only with the current law. The text is empty
-/// if the model can use the law.
+/// Names what prevents the model from using a base law: a missing or unsuitable value of the
+/// bearing, a missing friction table, or an effect that is not possible with this law. The text is
+/// empty if the model can use the law.
 [[nodiscard]] std::string lacks_for_law(const Model& model, friction::FrictionLaw law);
 
 /// Returns the model with another base law. The law starts with the published parameters. The usual

@@ -32,8 +32,8 @@ struct BearingLife {
 [[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
                                        const FrictionPrediction& prediction);
 
-/// The values κ and `reference` of bearing_life(). These two values need no integral over a
-/// contact.
+/// The viscosity ratio κ and the reference rating life of bearing_life(). These two values need no
+/// integral over a contact.
 struct ReferenceLife {
   double viscosity_ratio = unset;  ///< [1]
   double reference = unset;        ///< [s]

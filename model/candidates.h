@@ -18,8 +18,8 @@ namespace raceway::model {
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
 /// Returns an effect as a candidate that `diagnose` tests; empty for an effect without a size
-/// parameter. On a coast-down rig, if all rotating parts contribute to the effect, its plausible
-/// size extends up to the bound of the parameter.
+/// parameter. If all rotating parts of a coast-down rig contribute to the effect, the upper end of
+/// the plausible range is the upper bound of the size parameter.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 

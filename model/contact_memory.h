@@ -34,8 +34,8 @@ class ContactMemory {
     (void)remember(balls, s, values, result);
   }
   /// Returns the friction moment of the bearing state `s`, and its derivative with respect to
-  /// temperature along ν(T) of the oil. Moment and slope are for a stored temperature near
-  /// s.temperature, or for s.temperature itself.
+  /// temperature along ν(T) of the oil. Both values are for a stored temperature near
+  /// s.temperature, or for s.temperature itself if no stored temperature is near enough.
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);

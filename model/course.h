@@ -15,10 +15,10 @@ struct Course {
 /// Returns the course of every row, in the order of the record.
 ///
 /// A day begins after a pause of more than three hours. The pause must also be more than three
-/// times as long as the 90 % quantile of the time between rows. A record without such a pause is
-/// one day, or it consists of several load sweeps: a sweep begins if a rising load begins to fall,
-/// or if a falling load begins to rise. If several records were joined, each record has its own
-/// course.
+/// times as long as the 90 % quantile of the time between rows. In a record without such a pause,
+/// the time since the start begins again with every load sweep. A new sweep begins if a rising load
+/// begins to fall, or if a falling load begins to rise. If several records were joined, each record
+/// has its own course.
 [[nodiscard]] std::vector<Course> course_of(const record::Record& record);
 
 }  // namespace raceway::model

@@ -18,7 +18,7 @@ namespace raceway::model {
 struct Limit {
   std::string_view id;     ///< id in JSON documents
   double value;            ///< in `unit`; NaN if it depends on the bearing
-  std::string_view unit;   ///< unit for the reader
+  std::string_view unit;   ///< unit of the limit in texts and JSON documents
   bool is_warning = true;  ///< true: warning; false: note
 };
 
@@ -61,9 +61,9 @@ inline constexpr Limit oil_hot{"hot_oil", 150.0, "C"};
 /// Largest interference over bore. Source: makers allow up to 1/1000 of the shaft diameter (from
 /// memory). At 0.6/1000, the hoop stress of a ring is 127 MPa.
 inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
-/// Largest slope of the bending line at which the deflections of beam and seats are proportional to
-/// the load. Spindle ball bearings tolerate a misalignment of about 0.6 mrad (2 angular minutes,
-/// from memory).
+/// Largest slope of the bending line at the nose. At a larger slope, the deflections of beam and
+/// seats are not proportional to the load, and the bearings are tilted far more than the 0.6 mrad
+/// (2 angular minutes, from memory) that spindle ball bearings tolerate.
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
 /// Range of the torque table of a model. Outside the range, the torque at the edge of the table is
 /// used.
@@ -76,7 +76,7 @@ struct Finding {
   std::string_view limit;  ///< id of the limit that is exceeded
   bool is_warning = true;
   std::string place = {};                 ///< bearing on its shaft; empty for a bearing on a rig
-  double value = unset, allowed = unset;  ///< values at the worst point, in `unit`
+  double value = unset, allowed = unset;  ///< result and limit at the worst point, in `unit`
   std::string_view unit = {};
   double speed = unset;    ///< speed at the worst point [rad/s]; NaN: as mounted
   std::size_t points = 1;  ///< number of points beyond the limit
@@ -170,8 +170,8 @@ struct Possible {
 /// bearing steel. Source: thin rotating ring, derived.
 [[nodiscard]] Possible possible_speeds(const Model& model);
 
-/// Returns the range of temperatures [K] at which an oil flows: its viscosity is below 1e7 mm²/s.
-/// An oil with a higher viscosity is as thick as pitch and does not reach a contact.
+/// Returns the range of possible oil temperatures [K]. At the lower limit, the viscosity is 1e7
+/// mm²/s; a colder oil is as thick as pitch and does not reach a contact. The upper limit is 800 K.
 [[nodiscard]] Possible possible_temperatures(const friction::Lubricant& lubricant);
 
 /// Freezing and boiling temperature of water at atmospheric pressure [K].

@@ -12,7 +12,7 @@ namespace raceway::model {
 
 /// Bearing of a model: a ball bearing or a cylindrical roller bearing.
 ///
-/// Code for ball bearings converts it to a bearing::Bearing. This conversion throws
+/// Code for ball bearings converts a ModelBearing to a bearing::Bearing. This conversion throws
 /// std::invalid_argument for rollers, so the program never computes a ball result for rollers.
 class ModelBearing {
  public:
@@ -41,7 +41,8 @@ class ModelBearing {
   [[nodiscard]] double pitch_diameter() const {
     return rollers() ? rollers()->geometry().pitch_diameter : geometry().pitch_diameter;
   }
-  /// Returns C0 [N]; NaN if a ball bearing does not give it.
+  /// Returns the static load rating C0 [N]. C0 is calculated for rollers; it is NaN for a ball
+  /// bearing whose data do not include C0.
   [[nodiscard]] double static_load_rating() const {
     return rollers() ? life::static_load_rating(rollers()->geometry())
                      : geometry().static_load_rating;

@@ -22,8 +22,8 @@ namespace raceway::model {
 [[nodiscard]] const record::Channel& measured_of_shaft(const record::Record& record);
 
 /// Names the input that an effect needs and that the model or the record lacks; empty if no input
-/// is missing. Missing levels (distinct values of an input) are not included, because the data show
-/// if base parameters have a similar influence.
+/// is missing. An input with too few levels (distinct values) is not missing, because the fit shows
+/// if the effect can be separated from the base parameters.
 [[nodiscard]] std::string missing_need(const effects::Description& effect, const Model& model,
                                        const record::Record& record);
 

@@ -9,7 +9,7 @@
 #include "fit/subject.h"
 #include "model/model.h"
 
-/// Functions for model data that may be wrong and that affect the readings: contact angle and
+/// Functions for model data that may be wrong and that affect the predictions: contact angle and
 /// groove conformity of bearings on a shaft, and for a spindle the inlet temperature of each
 /// coolant circuit and the position of each thermometer. `diagnose` tests these data like effects,
 /// and `add` corrects them in the model.

@@ -41,8 +41,9 @@ struct FrictionPrediction {
   bearing::SolveReport report;  ///< not_run if no equilibrium was needed
 
   [[nodiscard]] bool predicted() const;  ///< true if the torque is finite
-  /// Returns the status of the point for all commands: the outcome of the equilibrium solve. The
-  /// status is `not_finite` if the solve converged but a torque or the power loss is not finite.
+  /// Returns the status of the point, as all commands print it: the status of the equilibrium solve
+  /// if the solve failed. If the solve converged or was not needed, the status is `converged`, or
+  /// `not_finite` if a moment or the power loss is not finite.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
@@ -56,8 +57,8 @@ struct FrictionPrediction {
 ///   contact: rolling, sliding, hysteresis, drag     table: table
 ///   all other laws: load, viscous
 [[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
-/// Returns the torque parts of a prediction in the order of torque_parts() [N m]; NaN for a missing
-/// part.
+/// Returns the terms of the torque of a prediction, in the order of torque_parts() [N m]; NaN for a
+/// term without a value.
 [[nodiscard]] std::vector<double> moments_of_parts(const Model& model,
                                                    const FrictionPrediction& prediction);
 

@@ -10,9 +10,10 @@ namespace raceway::model {
 
 /// One row of a record, as input of predictions.
 struct Row {
-  bearing::OperatingPoint point;  ///< radial load along y; external axial load of a shaft
-  effects::Record record;         ///< view of the record; the record must outlive this view
-  double preload = unset;         ///< preload force of the sets at standstill [N]
+  /// Operating point. The radial load acts along y. For a shaft, the axial load is external.
+  bearing::OperatingPoint point;
+  effects::Record record;  ///< view of the record; the record must outlive this view
+  double preload = unset;  ///< preload force of the sets at standstill [N]
 };
 
 /// Returns all rows of a record. A value without a column is NaN. Without a temperature column, the

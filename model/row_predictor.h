@@ -91,8 +91,8 @@ class RowPredictor {
   double temperature_, viscosity_;          // values of the row after corrections
   std::optional<friction::Lubricant> oil_;  // set if it differs from the oil of the model
 
-  /// Stored equilibrium for another condition. This equilibrium is used when a fit returns to a
-  /// point at which the fit computed differences.
+  /// Stored equilibrium for another condition. The predictor uses it again if a fit returns to
+  /// parameter values for which it has already requested a prediction.
   struct KnownBalance {
     effects::Condition condition;
     BallTurning turning;

@@ -247,8 +247,8 @@ enum class Cells { coarse, medium, fine };
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// True if friction is computed from the bearing forces of the warm spindle; false: of the cold
-  /// spindle at the same speed.
+  /// True if the friction is computed from the bearing forces of the warm spindle; false if it is
+  /// computed from the bearing forces of the cold spindle at the same speed.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
   double bearing_width = unset;                                     ///< width of one bearing [m]

@@ -9,8 +9,8 @@
 namespace raceway::model {
 
 /// Returns true if the law or an effect of the model uses ball loads or angles. Laws for the whole
-/// bearing use neither ball loads nor ball angles. A model with such a law can be compared with
-/// measurements even if the load is only assumed, because no ball equilibrium is solved.
+/// bearing use neither ball loads nor ball angles. With such a law, and without effects that use
+/// ball loads, a prediction needs no ball equilibrium.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
 /// Effects of a model, grouped by the step of the prediction that they change. Create this object

@@ -12,7 +12,8 @@ struct HoldingMoments {
 /// Solves the equilibrium of a bearing like solve_balls(), under the forces of a point. The shaft
 /// holds the inner ring at a tilt about z [rad]. Newton's method solves for the two moments that
 /// this tilt needs. The method starts from `neighbour`, which may be null, and from the moments of
-/// the neighbour, if these moments are known. `moments` receives the result.
+/// the neighbour in `moments`, unless they are NaN. The function then replaces `moments` by the
+/// solved moments, or by NaN if the solve fails.
 ///
 /// Accuracy: tilt to 1e-10 rad.
 [[nodiscard]] bearing::BearingEquilibrium solve_tilted(const Model& model,

@@ -19,7 +19,7 @@ enum class Role {
   deviation,  ///< standard deviation of the readings of a measured channel
   time,
   run,   ///< index of the run of a row
-  part,  ///< index of the original record of a row, if the record was joined from several
+  part,  ///< in a record joined from several: index of the record that the row comes from
   kept   ///< recorded under a name that the program does not know; no model uses it
 };
 
@@ -205,8 +205,8 @@ inline constexpr const Channel& axial_displacement = *find_channel("axial_displa
 inline constexpr const Channel& torque_deviation = *find_channel("std_Nmm");
 inline constexpr const Channel& displacement_deviation = *find_channel("std_um");
 
-/// Index of the original record of each row in a record from joined(). Files do not have this
-/// column.
+/// Channel of a column that joined() adds: index of the record that each row comes from. Files do
+/// not have this column.
 inline constexpr Channel part{.name = "record", .words = "record", .role = Role::part, .step = 0.5};
 
 }  // namespace raceway::record

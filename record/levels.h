@@ -8,8 +8,8 @@
 
 namespace raceway::record {
 
-/// Returns the lowest value of each level, in ascending order. A new level begins where sorted
-/// values differ by more than `width`. NaN values are skipped.
+/// Returns the lowest value of each level, in ascending order. A new level begins where
+/// neighbouring sorted values differ by more than `width`. NaN values are skipped.
 [[nodiscard]] std::vector<double> level_starts(std::span<const double> values, double width);
 
 /// Returns the index of the level to which a value belongs; 0 for a value below all levels.

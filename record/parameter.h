@@ -52,8 +52,8 @@ struct Parameter {
   /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
   /// the effect.
   double neutral = unset;
-  /// True if the predicted readings are linear in this parameter while all others are fixed. They
-  /// are then also linear in all such parameters together.
+  /// True if the predicted readings are linear in this parameter while all others are fixed. The
+  /// readings are also linear in all such parameters together.
   bool proportional = false;
   double scale = 1.0;  ///< typical size, > 0
   /// Standard error; NaN at a bound, or if the data do not determine the parameter.

@@ -68,8 +68,8 @@ struct Record {
   [[nodiscard]] double value(const Channel& channel, std::size_t row) const;
   /// Returns the index of the run of a row; -1 if the row belongs to no run.
   [[nodiscard]] int run_of(std::size_t row) const;
-  /// Returns the index, in `parts`, of the record that the row comes from; 0 without joined
-  /// records.
+  /// Returns the index (in `parts`) of the record that a row comes from; 0 if the record was not
+  /// joined.
   [[nodiscard]] std::size_t part_of(std::size_t row) const;
 
   /// Adds a column or replaces the column of the same channel. Throws std::invalid_argument if the

@@ -33,8 +33,8 @@ enum class Course {
 inline constexpr std::string_view offset_kind = "offset";
 
 /// Returns the channel of a displacement transducer with the column name NAME_um; null for any
-/// other name. Files have this column only if a model calculates a displacement from several
-/// transducers.
+/// other name. Only the table [transducers], which calculates a displacement from the readings of
+/// several transducers, can name such a column.
 [[nodiscard]] const Channel* transducer_channel(std::string_view name);
 
 /// Returns true for a displacement that is an angle.

@@ -10,7 +10,7 @@ namespace raceway::results {
 struct BandOfResult {
   std::vector<std::string> parameters;  ///< names of the fitted parameters
   std::vector<std::string> names;   ///< column names with unit, such as "friction_torque_band_Nmm"
-  std::vector<double> half_widths;  ///< one row after another, in the order of `names` [SI]
+  std::vector<double> half_widths;  ///< for each row, one value for each of `names` [SI]
 };
 
 }  // namespace raceway::results

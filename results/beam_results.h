@@ -91,7 +91,8 @@ struct DeflectionResult {
   double displacement = unset;  ///< displacement at the force, in its direction [m]
   double nose = unset;          ///< displacement of the nose face in the direction of the force [m]
   double slope = unset;         ///< slope of the section at the nose [rad]
-  double tangent = unset;  ///< displacement at the force with bearing stiffness before loading [m]
+  /// Displacement at the force if the bearings keep the stiffness that they have without it [m].
+  double tangent = unset;
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
   [[nodiscard]] std::string status() const;
   /// Returns force divided by displacement at the force [N/m]; NaN for several loads.

@@ -15,17 +15,19 @@
 /// the units.
 namespace raceway::results {
 
-/// Difference between the steady states with the chosen mesh and with a mesh of other cell size.
+/// Difference between two steady states: result with the chosen mesh minus result with another
+/// mesh.
 struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
   double speed = unset;  ///< speed of both steady states [rad/s]
   double displacement = unset,
-         inner_ring_rise = unset;  ///< chosen minus other mesh: nose [m] and hottest inner ring [K]
-  double front_force = unset;      ///< force of the front set, chosen mesh minus other mesh [N]
+         inner_ring_rise = unset;  ///< nose displacement [m], hottest inner ring temperature [K]
+  double front_force = unset;      ///< force of the front set [N]
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
 
-/// Default value of a model, and the influence of its possible error on the nose displacement.
+/// Assumed value of a model (a default, or a value that the file marks as assumed), and the
+/// influence of its possible error on the nose displacement.
 struct Assumption {
   std::string name;       ///< "bearing.lubricant_conductance_W_K"
   double value = unset;   ///< in the unit of the name
@@ -34,11 +36,11 @@ struct Assumption {
   double low = unset, high = unset;
 };
 
-/// Default values with the largest influence on the nose displacement in a steady state.
+/// Assumed values with the largest influence on the nose displacement in a steady state.
 struct Assumptions {
   double speed = unset;            ///< [rad/s]
   double displacement = unset;     ///< displacement of the nose at this speed [m]
-  std::size_t assumed = 0;         ///< number of default values that were varied
+  std::size_t assumed = 0;         ///< number of assumed values that were varied
   std::vector<Assumption> most{};  ///< at most five, largest influence first
   [[nodiscard]] bool known() const { return !most.empty(); }
 };
@@ -96,8 +98,8 @@ struct RunColumn {
                                               const MeshEstimate& mesh,
                                               const model::Findings& findings = {},
                                               const Assumptions& assumptions = {});
-/// Returns the text of `field.csv` with the position and radius of the middle, the part and the
-/// temperature of each cell.
+/// Returns the text of `field.csv`. For each cell, the text gives the position and the radius of
+/// the centre, the part of the spindle, and the temperature.
 [[nodiscard]] std::string spindle_field_text(std::span<const spindle::FieldCell> cells,
                                              std::string_view name);
 

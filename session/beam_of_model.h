@@ -12,7 +12,7 @@ namespace raceway::session {
 
 /// Shaft of a spindle as an elastic beam on its bearings, for the analysis of deflection and modes.
 struct BeamOfModel {
-  std::vector<double> places;         ///< distances of the set bearings behind the nose face [m]
+  std::vector<double> places;  ///< distances of the bearings in sets behind the nose face [m]
   std::vector<double> roller_places;  ///< distances of the roller bearings behind the nose face [m]
   std::vector<std::string> roller_names;
   spindle::Beam beam;
@@ -42,8 +42,9 @@ struct BeamOfModel {
 /// depend on loads at the nose.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
-/// Returns the reason why the option to switch off the coolant has no effect; empty if the option
-/// has an effect.
+/// Returns the reason why a request to switch off the coolant has no effect: the model has no
+/// coolant, or the spindle is calculated cold. The text is empty if the coolant stays on or if the
+/// request has an effect.
 [[nodiscard]] std::string unused_coolant_off(const model::Model& model, bool coolant_on, bool warm);
 
 /// Returns the inputs of a spindle at a speed, with the external load of the model. The

@@ -28,9 +28,9 @@ struct HalFiles {
 };
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
-/// Opens a model file for the export to a machine control, and adds a check record: `record`, or a
-/// synthetic record if `record` is null. `model` may also be an exported table. The check record
-/// then comes from the table.
+/// Opens a model file for the export to a machine control, and adds a check record: rows of inputs
+/// with the displacements that `correct` predicts. The inputs come from `record`, or are synthetic
+/// if `record` is null. `model` may also be an exported table, which contains its check record.
 ///
 /// Throws text::InputError for a file that cannot be read, and for a table that is given together
 /// with a record.
@@ -38,8 +38,8 @@ struct HalFiles {
                                              const Source* record = nullptr);
 
 /// Throws text::InputError if the trust in the correction of a displacement is `do_not_use`, or if
-/// the plan contains no prediction. The message gives the reason and the flag that allows the
-/// export (--accept-untrusted).
+/// no correction of the plan has a channel, an effect or a kinematic law. The message gives the
+/// reason and the flag that allows the export (--accept-untrusted).
 void require_trust(const control::ControlPlan& plan);
 
 /// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name; empty or "-"

@@ -56,8 +56,8 @@ void prepare_fit(Messages& messages, const correction::Model& model, const std::
 
 /// Returns notes on extrapolation in a record: inputs outside their range in the training data,
 /// combinations of inputs outside the training data, and operating points outside the friction
-/// table. A note on inputs gives the first row outside and the number of such rows. A note on a
-/// friction table gives the percentage of the rows outside the table.
+/// table. A note on inputs gives the first row outside the training data and the number of such
+/// rows. A note on a friction table gives the percentage of the rows outside the table.
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const correction::Series& series,
                                                    const correction::Beyond& beyond);

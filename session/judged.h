@@ -66,7 +66,7 @@ class JudgedColumns {
                                     std::span<const results::SteadyState> states);
 
 /// Compares a spindle over a speed programme with the limits. The results of the programme contain
-/// no contacts, so each bearing is solved again under its largest force.
+/// no ball contacts, so each bearing is solved again under its largest force.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);

@@ -35,7 +35,8 @@ struct LoopQuestion {
 
 /// These functions calibrate the model, diagnose its misfit, add effects to it, and predict the
 /// readings of the record. `effects` contains the names that the user typed. The functions throw
-/// the exceptions of the functions in fit/, and text::InputError if the data are not suitable.
+/// the exceptions of the functions in loop/loop.h, and text::InputError if the data are not
+/// suitable.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,
@@ -69,15 +70,15 @@ struct ComparedModels {
 };
 
 /// Compares each of several models with the same measured rows. The data are read with the column
-/// map and the sensor of the first model. The parameters in `how.refit`, and the parameters that
-/// are separate for each record, are fitted first. Throws text::InputError, for example if one
-/// model is a bearing and another is a correction.
+/// map and the sensor calibration ([torque_sensor]) of the first model. The parameters in
+/// `how.refit`, and the parameters that are separate for each record, are fitted first. Throws
+/// text::InputError, for example if one model is a bearing and another is a correction.
 [[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);
 
-/// Returns a table [columns] (TOML) that assigns the columns of a data file to channels. For a file
-/// with several corrections, the table contains the channels of all corrections.
+/// Returns a table [columns] (TOML) that assigns the columns of a data file to channels. For a
+/// model file with several corrections, the table contains the channels of all corrections.
 [[nodiscard]] std::string suggested_columns(Messages& messages, const Source& model,
                                             const Source& data, LoopOptions options);
 

@@ -29,7 +29,7 @@ struct AskedPoint {
 /// Returns the operating point with the requested values. Values of the model replace NaN.
 [[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);
 
-/// States for each load if the request gives it.
+/// Loads that a request gives: a member is true if the request contains this load.
 struct GivenLoads {
   bool axial_load = false;
   bool acting_axial_load = false;  ///< true for an axial load other than 0
@@ -48,8 +48,8 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
                                                       const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
 
-/// Axes of a table, each with values in ascending order. An empty axis stands for the single value
-/// of the model.
+/// Axes of a table, each with values in ascending order. An axis without values has the single
+/// value of the model.
 struct AskedAxes {
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
 };

@@ -22,8 +22,8 @@ struct Reading {
   /// is given together with several data files.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
   /// Returns the options for reading measurements. The column map comes from the flag `--columns`
-  /// or, without the flag, from [columns] of the model. Throws text::InputError if a period is
-  /// given, because only corrections accept a period.
+  /// or, without the flag, from [columns] of the model. The overload for a ModelFile throws
+  /// text::InputError if a period is given, because only corrections accept a period.
   [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;
   [[nodiscard]] files::ReadOptions options(const files::ColumnMap& of_model) const;
   /// Returns the options for reading without a model.

@@ -49,10 +49,11 @@ struct SolvedStates {
 ///
 /// `columns` lists the requested columns; an empty list means all columns. If `band` is given, the
 /// columns of the band follow (band_columns()). Loads and temperatures that are not given come from
-/// the model. Throws text::InputError for a missing speed or load, for a number out of its range
-/// (with its place in the array), for an unknown column, and for radial loads or moments on a
-/// shaft. Throws fit::Cancelled if `cancelled` is set during the calculation. The function needs
-/// memory for the returned arrays and for one block of states per thread.
+/// the model. Throws text::InputError for a missing speed, for a load that neither the arrays nor
+/// the model give, for a number out of its range (with its place in the array), for an unknown
+/// column, and for radial loads or moments on a shaft. Throws fit::Cancelled if `cancelled` is set
+/// during the calculation. The function needs memory for the returned arrays and for one block of
+/// states per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
@@ -60,9 +61,9 @@ struct SolvedStates {
                                         const model::Band* band = nullptr);
 
 /// Solves a single state and returns all columns with notes. The values have the same 15 digits as
-/// the output of `raceway solve`. solve_states() uses a faster solver for several points together;
-/// docs/speed.md gives the difference. Throws the same exceptions as solve_states(), and throws for
-/// more than one state.
+/// the output of `raceway solve`. solve_states() solves several points together, and its results
+/// may differ slightly (docs/speed.md). Throws the same exceptions as solve_states(), and throws
+/// for more than one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);

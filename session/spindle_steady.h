@@ -38,7 +38,7 @@ struct SteadyQuestion {
   double moment = 0.0;         ///< moment at the nose [N m]; positive if it turns the shaft like a
                                ///< positive radial force in front of the nose
   double belt_force = unset;   ///< pull of the belt [N]; NaN: value of the model
-  double motor_power = unset;  ///< electrical input of the motor [W], for heat formulas
+  double motor_power = unset;  ///< electrical input of the motor [W]; NaN: unknown
   bool assumptions = false;    ///< true adds the most influential assumed values to the results
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };

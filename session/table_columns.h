@@ -23,7 +23,8 @@ enum class Columns { of_tables, of_states };
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
-/// Writes the columns of a single state into `out`, from the prediction of this state.
+/// Writes the columns for one operating point of a bearing (fill_state()) or of a shaft
+/// (fill_shaft_state()) into `out`, from the prediction at this point.
 void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
                 const model::FrictionPrediction& prediction, friction::TablePoint& out);
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,

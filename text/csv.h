@@ -14,7 +14,7 @@ namespace raceway::text {
 
 /// Position of the header and of the row of units in a delimited text file.
 struct CsvForm {
-  int header_line = 0;    ///< counted from 1; lines above are skipped. 0: the first line
+  int header_line = 0;    ///< counted from 1; 0: the first line. Lines above the header are skipped
   int unit_line = 0;      ///< row of units below the header; 0: no such row
   char separator = '\0';  ///< '\0': the parser finds the separator
 };
@@ -48,12 +48,12 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 /// The separator is a comma, a semicolon or a tab, as found in the header, or the separator of the
 /// CsvForm. Lines that begin with `#` are comments, with two exceptions. The last comment above the
 /// data is the header if its cells fit the first row. A line below the header that begins with `#`
-/// is a row if its cells fit the header ("#N/A,20,0.1").
-/// Blank lines, rows of empty cells, repeated headers and words after the last row are skipped. A
-/// cell may be quoted ("a ""b"""), but a quoted cell must end on the same line. If a file of
-/// another program has a unit after every number of a column ("12.3 °C"), this unit becomes the
-/// unit of the column. Blanks around cells are removed. An apostrophe before =, +, - or @ that
-/// prevents a formula is removed too (text/detail/csv_text.h).
+/// is a row if its cells fit the header ("#N/A,20,0.1"). Blank lines, rows of empty cells, repeated
+/// headers, and text or statistics ("mean", "max") after the last row are skipped. A cell may be
+/// quoted ("a ""b"""), but a quoted cell must end on the same line. If a file of another program
+/// has a unit after every number of a column ("12.3 °C"), this unit becomes the unit of the column.
+/// Blanks around cells are removed. An apostrophe before =, +, - or @ that prevents a formula is
+/// removed too (text/detail/csv_text.h).
 /// Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
@@ -110,11 +110,11 @@ class CsvTable {
   friend CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
   [[nodiscard]] ParsedNumber parsed_text(std::size_t row, std::size_t column,
                                          std::string_view text) const;
-  /// Converts "12.3 °C" in all cells of a column to 12.3, and C to the unit of the column.
+  /// Converts "12.3 °C" in all cells of a column to 12.3, and makes °C the unit of the column.
   void take_units_out_of_cells();
   std::string text_;
   std::vector<Cell> cells_;          // row by row
-  std::vector<DataColumn> columns_;  // in place of both, where it came as columns
+  std::vector<DataColumn> columns_;  // instead of text_ and cells_ for table_of_columns()
   std::vector<int> lines_;
   DecimalMarks marks_;
 };

@@ -18,7 +18,7 @@ struct PlainCsv {
   std::string comments;  ///< text of all `#` lines, including the model; empty if there are none
 };
 
-/// Separates a CSV of this program from its comments.
+/// Separates the table in a CSV text of this program from the comments.
 [[nodiscard]] PlainCsv plain_csv(std::string_view csv);
 
 /// Converts the result of plain_csv() to a form that a spreadsheet opens by a double click: with a

@@ -34,9 +34,9 @@ struct Unit {
   Dimension dimension;
   double factor;        ///< SI = factor * value + offset
   double offset = 0.0;  ///< [K] for temperatures
-  /// Other spellings, separated by blanks. They have no brackets, blanks and product signs, "u" for
-  /// micro, "deg" for a degree sign and "_" for a slash. find_unit() converts a text in the same
-  /// way before the comparison.
+  /// Other spellings, separated by blanks. In a spelling, brackets, blanks and product signs are
+  /// left out, the micro sign is "u", the degree sign is "deg", and a slash is "_". find_unit()
+  /// converts a text in the same way before the comparison.
   std::string_view spellings = {};
   std::string_view names = {};  ///< further spellings, in lower case; files may also use upper case
 

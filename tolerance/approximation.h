@@ -35,8 +35,8 @@ struct Approximation {
   fit::SeparableFit fit{};
   /// Held-out residual of each mean, reading minus prediction [SI]; NaN: not held out.
   std::vector<double> held_out{};
-  /// RMS of the weighted residuals. A residual is divided by the tolerance of its channel if it is
-  /// known; otherwise it is in SI units.
+  /// RMS of the weighted residuals. A residual is divided by the tolerance of its channel; if the
+  /// channel has no tolerance, the residual is in SI units.
   double rms = unset;
   /// RMS of the weighted held-out residuals; NaN if no block can be held out.
   double rms_held_out = unset;
@@ -88,13 +88,13 @@ void require_fit(const Approximation& approximation);
 [[nodiscard]] Approximation finished(const Approximation& rough, const Recorded& recorded);
 
 /// Computes the held-out residuals and their RMS: each block is predicted from a fit to all other
-/// blocks. A simulation always runs through all rows.
+/// blocks. Each simulation runs through all rows, also through the rows of the held-out block.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// Repeats the fit on individual rows instead of means, with a ridge of 1e-12 instead of that of
-/// Separable, starting from the previous result. If the parameters then diverge, the function uses
-/// the usual ridge. For more than 20 000 rows, it fits means. `rows` receives the fitted rows or
-/// means.
+/// Repeats the fit on individual rows instead of means, starting from the previous result. The
+/// ridge of fit::Separable is reduced from 1e-6 to 1e-12. If the parameters then diverge, the
+/// function fits again with 1e-6. For more than 20 000 rows, it fits means. `rows` receives the
+/// fitted rows or means.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 

@@ -14,24 +14,29 @@
 /// test against noise. Call these functions through loop/loop.h.
 namespace raceway::tolerance {
 
-/// Diagnoses a model on means over a minute or more:
+/// Diagnoses a model on means over a minute or more. All errors below are held-out errors.
 ///
-///   refit -> held-out parts -> within the tolerance: no missing effect matters
-///   each candidate -> one within the tolerance, together with all close to it
-///   a fault that the record itself shows, if no single candidate is within the tolerance
-///   pairs, if no single candidate is within -> a pair within the tolerance, with at most 1/1.2 of
-///   the best single error
-///   otherwise: effect-like (a candidate explains half of the mean square) or not-in-catalogue
+///   1. refit without candidates. An error within the tolerance: nothing-missing.
+///   2. refit with each candidate alone. An error within the tolerance: effect (or ambiguous), with
+///      the best candidate and all candidates close to it.
+///   3. The record itself shows a fault with certainty: effect-like.
+///   4. refit with pairs of candidates. An error within the tolerance that is at most 1/1.2 of the
+///      smallest error with a single candidate: several-effects.
+///   5. A single candidate removes at least half of the mean square error: effect-like. Otherwise:
+///      not-in-catalogue.
 ///
-/// The error with a single candidate is also within the tolerance if it is at most f times the
-/// tolerance, and the candidate divides the error by at least f = 1 + 1.645/sqrt(2 T/30 min). T is
-/// the duration of the longest run, and 1/sqrt(2 T/30 min) is the relative standard error of the
+/// The diagnosis ends at the first step that gives a verdict. Candidates driven by a column of the
+/// record (Candidate::by_column) are accepted only after step 3.
+///
+/// In step 2, an error beyond the tolerance is also accepted if it is at most f times the
+/// tolerance, and if the candidate divides the error by at least f = 1 + 1.645/sqrt(2 T/30 min). T
+/// is the duration of the longest run, and 1/sqrt(2 T/30 min) is the relative standard error of the
 /// held-out error.
 ///
 /// A candidate is close to the best one if its held-out error is at most a fifth larger, or if λ =
-/// T/(30 min) (e²/b² - 1) is below 20. e is the held-out error with the candidate, and b with the
-/// best candidate. A close candidate must also remove at least half as much of the mean square
-/// error as the best one.
+/// T/(30 min) (e²/b² - 1) is below 20. e is the held-out error with the candidate, and b the
+/// held-out error with the best candidate. A close candidate must also remove at least half as much
+/// of the mean square error as the best one.
 [[nodiscard]] verdict::Diagnosis diagnose_approximation(const fit::Subject& subject,
                                                         const record::Record& record,
                                                         const verdict::DiagnoseOptions& options);

@@ -21,7 +21,8 @@ struct ChannelGain {
   fit::NoiseModel noise{};
   double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
   /// Held-out RMS errors without and with the effects [SI]; NaN if no rows can be held out. If a
-  /// tolerance is given, the outermost blocks of an input are not held out.
+  /// tolerance is given, the blocks with the lowest and the highest values of an input are not held
+  /// out.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *before.channel; }

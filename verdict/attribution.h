@@ -49,8 +49,9 @@ class Attribution {
   /// scores.
   [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> score_range(std::size_t candidate) const;
   /// Returns the length of each column of Gate::projected [1]: the change of all readings by a
-  /// candidate of typical size, as a Euclidean norm in standard deviations. The length is the
-  /// smallest over all noise models that the readings allow.
+  /// candidate of typical size, without the part that the free parameters absorb, as a Euclidean
+  /// norm in standard deviations. If the readings allow several noise models, the length is the
+  /// smallest of the lengths with these models.
   [[nodiscard]] Eigen::VectorXd least_lengths() const;
   /// Returns the length (see least_lengths()) that an effect needs to be detected in 99 of 100
   /// cases.
@@ -92,16 +93,16 @@ class Attribution {
   struct Directions {
     std::vector<std::size_t> owner{};
     std::vector<bool> one_sided{};
-    Eigen::MatrixXd columns{};  // whitened, base parameters projected off
+    Eigen::MatrixXd columns{};  // whitened, without the part that base parameters absorb
   };
   [[nodiscard]] Directions directions(const std::vector<Explanation>& singles) const;
   using Members = std::pair<std::size_t, std::size_t>;
   /// Returns the negative linearised gains of pairs, best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  /// Adds one candidate to an explanation. The fit is coarse and starts from the given sizes. If
-  /// the coarse fit is worse than the better given fit, a full fit replaces it. The full fit also
-  /// starts from half the sizes.
+  /// Adds the candidate of `single` to `first`. The fit is coarse and starts from the sizes in
+  /// `first` and `single`. If the coarse fit is worse than the fit of `first` or of `single`, a
+  /// full fit replaces it. The full fit also starts from half of these sizes.
   [[nodiscard]] Explanation refit_together(const Explanation& first,
                                            const Explanation& single) const;
   /// Returns true for a candidate that corrects a datum.
@@ -115,7 +116,8 @@ class Attribution {
                                                     const fit::Response& response) const;
   [[nodiscard]] std::vector<const fit::Screened*> screened(
       const std::vector<std::size_t>& members) const;
-  /// Applies the gate to a fit, without the scores of the listed candidates.
+  /// Tests the residuals of a fit for a missing effect (open_gate()), without the scores of the
+  /// candidates in `without`.
   [[nodiscard]] Gate gate_on(const fit::ResponseFit& fit,
                              const std::vector<std::size_t>& without) const;
 

@@ -83,8 +83,8 @@ struct CalibrateOptions {
                                              const record::Record& record,
                                              const CalibrateOptions& options = {});
 
-/// Returns the covariance of the parameters that have a standard error. Names and values come from
-/// the calibration. The result is empty if no parameter has a standard error.
+/// Returns the covariance of the parameters that have a standard error, with the names and values
+/// of these parameters. The result is empty if no parameter has a standard error.
 [[nodiscard]] std::optional<fit::Covariance> covariance_of(const Calibration& calibration);
 
 /// Builds a Calibration from an existing fit: parameter values, standard errors and correlation.

@@ -52,10 +52,10 @@ struct LackOfFit {
 
 /// Correlation between the residuals of neighbouring rows along the swept input, which is usually
 /// the speed. This test needs no estimate of the noise. Rows are sorted by run and all other
-/// settings, then by the swept input. If no setting is swept, the time takes its place. The
-/// correlation is the mean product of neighbouring residuals divided by their mean square. For pure
-/// noise, the correlation has a nearly normal distribution with variance 1/pairs. The p-value is
-/// one-sided. Noise that drifts along a run also increases the correlation.
+/// settings, then by the swept input. If no setting is swept, the time is used as the swept input.
+/// The correlation is the mean product of neighbouring residuals divided by their mean square. For
+/// pure noise, the correlation has a nearly normal distribution with variance 1/pairs. The p-value
+/// is one-sided. Noise that drifts along a run also increases the correlation.
 struct Pattern {
   const record::Channel* along = nullptr;
   double correlation = unset;  ///< in [-1, 1]; NaN with fewer than 8 pairs
@@ -123,7 +123,8 @@ struct Comparison {
                                  const fit::Measured& measured, int fitted_parameters = 0);
 
 /// Adds the errors of groups of rows to Comparison::where. `group` names the group of each row; an
-/// empty name means no group. `kind` is a channel with Role::run; its words describe the groups.
+/// empty name means no group. `kind` is a channel with Role::run. Texts call a group by the words
+/// of this channel (Channel::words).
 void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);
 

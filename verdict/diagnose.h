@@ -34,12 +34,12 @@ struct DiagnoseOptions {
 ///   2. gate: test for any missing effect, by the smooth misfit and the largest score
 ///   3. refit of all base parameters with each candidate alone, then with pairs and triples
 ///   4. gate again, on the residuals of these fits
-///   5. test on held-out blocks of rows, and check of the sizes
+///   5. test on held-out blocks of rows, and check whether the sizes are plausible
 ///   6. next measurements, if the data cannot decide
 ///
 /// The gate tests at a level of 1 % whether any effect is missing. An effect is accepted if -2 ln L
 /// falls by more than ln N + 2 ln m, with N readings and m tried candidates. The verdict names the
-/// best effect, and all effects whose -2 ln L is at most 6 above the best.
+/// best effect, and all effects whose -2 ln L is at most 6 above the -2 ln L of the best effect.
 ///
 /// The other base models (Subject::other_bases()) are calibrated to the readings and compared like
 /// candidates in two cases: no candidate explains the misfit, or one candidate fits only with

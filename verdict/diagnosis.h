@@ -38,7 +38,8 @@ struct ChannelDiagnosis {
   double rmse_before = unset, rmse_after = unset;
   double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
   /// Held-out RMS errors without and with the effects of the verdict [SI]; NaN if no rows can be
-  /// held out. If a tolerance is given, the outermost blocks of an input are not held out.
+  /// held out. If a tolerance is given, the blocks with the lowest and the highest values of an
+  /// input are not held out.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
@@ -47,7 +48,8 @@ struct ChannelDiagnosis {
 /// Fit of the model with one effect added. All free parameters of the model are refitted.
 struct RankedEffect {
   std::string id;
-  /// Name of the datum that may be wrong ("the oil card"); empty for an effect.
+  /// Name of the datum that may be wrong ("the oil card": the viscosities of the oil); empty for an
+  /// effect.
   std::string datum{};
   std::string correction{};  ///< text with the corrected value of the datum
   /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
@@ -157,7 +159,7 @@ struct OtherBaseTried {
   std::string id;     ///< id for add(): "law:skf"
   std::string words;  ///< name in model files
   /// Fall of -2 ln L relative to the given model without effects, minus ln N for each additional
-  /// free parameter.
+  /// free parameter, with N readings.
   double gain = unset;
   fit::Likelihood likelihood{};
   std::vector<double> rmse{};           ///< RMS error of each channel on the rows of the fit [SI]
@@ -191,8 +193,8 @@ struct Diagnosis {
   /// Correlation of the parameters in the fit of the best set, or without effects if there is no
   /// set.
   Correlation correlation;
-  /// Readings of the best set of the verdict, if there is one, followed by the readings of each
-  /// ranked effect outside this set.
+  /// Predicted readings with the best set of the verdict, if there is one, followed by the
+  /// predicted readings with each ranked effect outside this set.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< true if `explained` begins with the verdict's best set
   /// Refits of a model that only approximates the readings: first without effects, then with the

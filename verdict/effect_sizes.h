@@ -10,9 +10,9 @@
 namespace raceway::verdict {
 
 /// Returns the fitted parameters of one candidate; their names do not contain its id. A value is
-/// plausible if it lies in the range seen in practice, widened by a factor of three and two
-/// standard errors at both ends. For a wrong datum, the factor is 1. A value between this range and
-/// the neutral value is also plausible.
+/// plausible if it lies in the range seen in practice. Both ends of this range are widened by a
+/// factor of three (not for a wrong datum) and then by two standard errors. A value between this
+/// range and the value without influence (Parameter::neutral) is also plausible.
 [[nodiscard]] std::vector<record::Parameter> sizes_of(const fit::Problem& problem,
                                                       const Explanation& e, std::size_t member);
 
@@ -27,8 +27,8 @@ namespace raceway::verdict {
                                           std::size_t member);
 
 /// Returns the 95 % interval of the size of one candidate by profile likelihood. The interval is
-/// NaN if the law is multiplied by powers (Attribution::elastic()), because the exponents have no
-/// physical meaning.
+/// NaN if the law is multiplied by powers of the inputs (Attribution::elastic()), because the
+/// exponents have no physical meaning.
 [[nodiscard]] record::Interval size_interval(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
@@ -60,20 +60,21 @@ namespace raceway::verdict {
                                          const Eigen::MatrixXd& covariance);
 
 /// Returns the RMS error of each channel over the held-out blocks of all blockings [SI]. The result
-/// is empty without blockings, and if a law is multiplied by powers (Attribution::elastic()).
+/// is empty if `blockings` is empty, and if a law is multiplied by powers of the inputs
+/// (Attribution::elastic()).
 [[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const fit::Response& response,
                                            const fit::ResponseFit& fit,
                                            const std::vector<fit::Blocking>& blockings);
 
-/// Returns held-out RMS errors within the measured range [SI], like held_out(). For the outermost
-/// blocks of an input, a held-out prediction would be an extrapolation. The function uses the error
-/// of the full fit for these blocks.
+/// Returns held-out RMS errors within the measured range [SI], like held_out(). For the blocks with
+/// the lowest and the highest values of an input, a held-out prediction would be an extrapolation.
+/// For these blocks, the function uses the error of the fit to all rows.
 [[nodiscard]] std::vector<double> held_out_within_range(
     const Evidence& evidence, const fit::Response& response, const fit::ResponseFit& fit,
     const std::vector<fit::Blocking>& blockings);
 
-/// Returns the readings that the fit `e` predicts, and the contributions of its effects. No law may
-/// be multiplied by powers (Attribution::elastic()).
+/// Returns the readings that the fit `e` predicts, and the contributions of its effects. Call it
+/// only if no law is multiplied by powers of the inputs (Attribution::elastic()).
 [[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::verdict

@@ -12,7 +12,7 @@ struct EstimatedNoise {
   const record::Channel* channel = nullptr;
   double rms = unset;  ///< RMS noise of the readings that the estimate used [SI]
   /// Standard deviation of the reading in each row of the record [SI]. For rows that the estimate
-  /// did not use, the standard deviation is calculated from the size of the reading. It is NaN
+  /// did not use, the standard deviation is calculated from the size of the reading. NaN for a row
   /// without a reading.
   std::vector<double> std;
 };

@@ -67,7 +67,8 @@ constexpr double invisible = 0.02;
 
 /// Tests whitened residuals for a missing effect. `tangent` contains the derivatives of the
 /// readings with respect to the free parameters, `surface` the terms of a smooth function, and
-/// `scores` the changes of the readings by the candidates. All are whitened. `one_sided` marks
+/// `scores` the changes of the readings by the candidates, in one or more columns for each
+/// candidate. All matrices and the residuals are whitened. `one_sided` marks the columns of
 /// candidates whose size can only be positive.
 [[nodiscard]] Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,
                              const Eigen::MatrixXd& surface, const Eigen::MatrixXd& scores,

@@ -6,8 +6,8 @@
 
 namespace raceway::verdict {
 
-/// Result of find_hidden_input(): nearly equal inputs give equal readings (tell_all), give
-/// different readings (may_miss_something), or give different readings in different runs
+/// Conclusion from find_hidden_input(): no hidden input was found (tell_all), readings differ at
+/// nearly equal inputs (may_miss_something), or these readings differ mainly from run to run
 /// (miss_what_changes). In the last case, unless the verdict is nothing_missing, the headline says
 /// that the cause is not an input of the model.
 enum class Inputs { tell_all, may_miss_something, miss_what_changes };

@@ -14,8 +14,8 @@ struct HiddenInput {
   double scatter = unset;  ///< relative standard deviation of readings at nearly equal inputs [1]
   /// Rows with nearly equal inputs and the largest difference of readings.
   std::size_t low = 0, high = 0;
-  /// Share of the variance that is common to the rows of a run [1]; NaN for fewer than two runs or
-  /// too few rows.
+  /// Share of the variance of these readings that is common to the rows of a run [1]; NaN for fewer
+  /// than two runs or too few rows.
   double run_share = unset;
   /// Probability of such a `run_share` by chance; NaN if `run_share` is NaN.
   double run_p_value = unset;
@@ -25,12 +25,12 @@ struct HiddenInput {
 
 /// Compares readings of rows whose speeds and loads agree within 2 % and whose temperatures agree
 /// within 1 K. Few laws change by more than 5 % over such a range. A hidden input is reported if
-/// both the pooled and a robust standard deviation exceed Measured::most_scatter. Single wrong
-/// readings therefore do not cause a report. An analysis of variance of the logarithms tests
-/// whether the differences follow the runs. The result is empty if no hidden input is found. The
-/// result is also empty if Measured::most_scatter is unknown, if there are fewer than 8 degrees of
-/// freedom, if a reading is not positive, or if rows have a time (run-in makes readings at equal
-/// inputs differ).
+/// both the pooled and a robust relative standard deviation of these readings exceed
+/// Measured::most_scatter. Single wrong readings therefore do not cause a report. An analysis of
+/// variance of the logarithms of the readings tests whether the differences follow the runs. The
+/// result is empty if no hidden input is found. The result is also empty if Measured::most_scatter
+/// is unknown, if there are fewer than 8 degrees of freedom, if a reading is not positive, or if
+/// rows have a time (run-in makes readings at equal inputs differ).
 [[nodiscard]] std::optional<HiddenInput> find_hidden_input(const record::Record& record,
                                                            const fit::Measured& measured);
 

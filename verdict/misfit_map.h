@@ -34,7 +34,7 @@ struct MisfitMap {
   const record::Channel* up_channel = nullptr;  ///< null if the record has no other input
   std::vector<ErrorRange> across;               ///< ranges of the swept input, in ascending order
   std::vector<ErrorRange> up;                   ///< ranges of the other input, in ascending order
-  /// Cells that contain rows of the record; `across` changes fastest.
+  /// Cells that contain rows of the record, sorted by MisfitCell::up, then by MisfitCell::across.
   std::vector<MisfitCell> cells;
   double needed_sigmas = unset;  ///< a cell is significant if |sigmas| exceeds this value
 };

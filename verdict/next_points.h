@@ -20,9 +20,9 @@ struct NextPoints {
 /// Returns the measuring points that best separate rival explanations, from the values in
 /// Subject::axes(). The design is T-optimal for the pair of explanations that is hardest to
 /// separate. The search adds points one by one until the predicted separation reaches 20 or `most`
-/// readings, including repeats, are planned. It then exchanges single points. The result is empty
-/// for fewer than two explanations, for a model without axes, and for a model whose readings depend
-/// on earlier rows.
+/// readings, including repeats, are planned. It then replaces points by better ones, one at a time.
+/// The result is empty for fewer than two explanations, for a model without axes, and for a model
+/// whose readings depend on earlier rows.
 [[nodiscard]] NextPoints next_points(const Evidence& evidence,
                                      const std::vector<const Explanation*>& rivals, int most = 12);
 

@@ -18,8 +18,8 @@ struct Finding {
     single,   ///< one candidate explains the misfit
     several,  ///< two or three candidates together explain the misfit
     bent,  ///< one candidate explains the misfit if its law is multiplied by powers of the inputs
-    /// Corrections of both exponents of the base law together explain the misfit. The threshold for
-    /// this pair is lower than for other pairs.
+    /// The corrections of both exponents of the base law (viscous part and load part) together
+    /// explain the misfit. The threshold for this pair is lower than for other pairs.
     base_laws,
     /// One candidate removes at least half of the mean square error, but the error exceeds the
     /// tolerance.
@@ -33,17 +33,17 @@ struct Finding {
 
 /// Limits and options of a search.
 struct SearchLimits {
-  double needed_gain = unset;  ///< fall of -2 ln L that a candidate must exceed
+  double needed_gain = unset;  ///< gain that an accepted candidate must exceed
   int tried = 0;               ///< number of candidates tried, for the multiple-testing correction
   bool pairs = true;
   std::function<void(double share, std::string_view step)> step{};
   std::function<bool()> cancelled{};
 };
 
-/// Searches for candidates that explain a misfit, in this order: single candidates, the two
-/// corrections of exponents together, pairs, triples, candidates multiplied by powers of inputs.
-/// The search ends when the residuals are noise or, if a tolerance is given, when the held-out
-/// error is within it.
+/// Searches for candidates that explain a misfit, in this order: single candidates, the corrections
+/// of both exponents of the base law together, pairs, triples, candidates whose law is multiplied
+/// by powers of the inputs. The search ends when the residuals are noise or, if a tolerance is
+/// given, when the held-out error is within it.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
@@ -52,7 +52,7 @@ class Search {
   /// Refits the model with each candidate alone.
   void refit_singles();
   [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
-  /// Searches until the remaining misfit is noise.
+  /// Searches until the residuals are noise.
   [[nodiscard]] Finding explain();
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();

@@ -7,15 +7,16 @@
 ///
 /// Eigen's decompositions are templates that take many seconds to compile. This folder compiles
 /// them once, for matrices of double, and other files call the functions below. Each function
-/// returns exactly the result of Eigen's class for its method. If an entry of A is not finite,
-/// results are NaN and ranks are 0. HouseholderQr, LowerRoot and reduce_to_triangle() do not check
-/// the entries.
+/// returns exactly the result of the Eigen class for the same method. If an entry of A is not
+/// finite, results are NaN and ranks are 0. HouseholderQr, LowerRoot and reduce_to_triangle() do
+/// not check the entries.
 namespace raceway::algebra {
 
 /// Solution x of min |b - A x|, by QR with column pivoting. A: m × n, b: m, x: n.
 ///
-/// Entries of x are 0 for columns that are linear combinations of the other columns, to rounding.
-/// PivotedQr gives the rank and solves for several b.
+/// If the columns of A are linearly dependent (to rounding), the pivoting selects independent
+/// columns. The entries of x for all other columns are 0. PivotedQr gives the rank and solves for
+/// several b.
 [[nodiscard]] Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 /// Solution x of min |b - A x| with the least |x|, by a complete orthogonal decomposition.
@@ -46,7 +47,8 @@ namespace raceway::algebra {
 /// Inverse of the lower triangular L in A = L Lᵀ. A: n × n, symmetric and positive definite.
 [[nodiscard]] Eigen::MatrixXd inverse_lower_root(const Eigen::MatrixXd& A);
 
-/// Eigenvalues of a general A: n × n. They have no order; complex eigenvalues form conjugate pairs.
+/// Eigenvalues of a general A: n × n, in no particular order. Complex eigenvalues form conjugate
+/// pairs.
 [[nodiscard]] Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A);
 
 /// Decomposition A = V diag(values) Vᵀ.

@@ -52,7 +52,7 @@ class BearingReader {
   [[nodiscard]] const Names& written() const { return written_; }
 
   /// Returns the material that a key of a bearing names. Without this key, returns `inherited`, or
-  /// steel if that is null.
+  /// steel if `inherited` is null.
   [[nodiscard]] bearing::Material material(const Section& s, const char* key,
                                            const bearing::Material* inherited = nullptr);
 

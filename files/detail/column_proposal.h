@@ -36,9 +36,9 @@ struct ColumnProposal {
 [[nodiscard]] std::vector<double> numbers_in(const text::CsvTable& table, std::size_t column);
 
 /// Returns a proposal to read the column as this channel, with the unit of the column. The score is
-/// 20 if the file states a unit, 10 for dates, and 1 for the header t of a time or T of a
-/// temperature. Returns nothing if the column cannot be this channel: a unit of another dimension,
-/// texts, times that do not rise, or temperatures that no machine has.
+/// a sum: 20 if the file states a unit of the channel, 10 for dates, and 1 for the header t of a
+/// time or T of a temperature. Returns nothing if the column cannot be this channel: a unit of
+/// another dimension, texts, times that do not rise, or temperatures that no machine has.
 [[nodiscard]] std::optional<ColumnProposal> column_as(const text::CsvTable& table,
                                                       std::size_t column,
                                                       const record::Channel& channel);

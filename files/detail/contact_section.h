@@ -16,7 +16,7 @@ namespace raceway::files {
 /// Returns the keys of the contact law in a table. A model with another law may contain these keys.
 [[nodiscard]] std::span<const Key> contact_keys(std::string_view table);
 
-/// Returns the key tables of [bearing] and [life].
+/// Returns two key tables: the keys of [bearing] that only the contact law uses, and [life].
 [[nodiscard]] std::vector<KeyTable> contact_tables();
 
 /// Reads the keys of the contact law. `used`: true if the model uses the law `contact`; the
@@ -24,7 +24,7 @@ namespace raceway::files {
 [[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
                                                           std::optional<friction::Supply> supply);
 
-/// Returns those keys of the contact law that a file contains.
+/// Returns the keys in [lubricant] and [bearing] of a file that only the contact law uses.
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
 /// Reads a number in [lubricant] that only the contact law uses.

@@ -21,8 +21,9 @@ namespace raceway::files {
 void read_trust(const Section& correction, correction::Model& model,
                 std::vector<std::string>& notes);
 
-/// Returns the text of the tables [correction.range], .still_s, .together, .covariance, .residual
-/// and .trust of the model, with a blank line between them. Tables without contents are omitted.
+/// Returns the text of the tables [correction.range], [correction.still_s], [correction.together],
+/// [correction.covariance], [correction.residual] and [correction.trust] of the model, with a blank
+/// line between them. Tables without contents are omitted.
 [[nodiscard]] std::string trust_text(const correction::Model& model);
 
 }  // namespace raceway::files

@@ -42,8 +42,8 @@ struct DataColumns {
   /// are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
   std::vector<Place> falls;  ///< columns with times between two speeds, if any
-  /// Signal of the torque sensor and its standard deviation, if the calibration is known. `places`
-  /// contains the signal as the friction torque.
+  /// Signal of the torque sensor and its standard deviation, if the calibration is known. The
+  /// column of the signal is also in `places`, with the channel of the friction torque.
   std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< values of channels without a column
   std::vector<std::string> others;              ///< headers of unknown columns

@@ -31,8 +31,8 @@ struct LubricantOfFile {
   std::optional<friction::Supply> supply;
 };
 
-/// Returns the required keys that [lubricant] lacks and, for the law `palmgren`, those that
-/// [friction] and [bearing] lack.
+/// Returns the required keys that [lubricant] lacks and, for the law `palmgren`, also the required
+/// keys that [friction] and [bearing] lack.
 [[nodiscard]] Names missing_keys_of_friction(const ModelTables& tables);
 
 [[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);

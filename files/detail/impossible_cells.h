@@ -12,11 +12,11 @@
 namespace raceway::files {
 
 /// Finds numbers in one column that instruments and loggers write instead of a reading, such as
-/// -9999, 9999.9, and 9.9e37 of IEEE 488.2. A number such as -9999 is a placeholder only if no
-/// other number of the column is near it. In the column of a setting, such as the speed, a positive
-/// whole number such as 9999 is not a placeholder. Temperatures and readings outside the allowed
-/// range of their channel are placeholders too, if there are at most a tenth as many of them as of
-/// other readings. More such numbers indicate another unit.
+/// -9999, 9999.9, and 9.9e37 of IEEE 488.2. A number such as -9999 is a placeholder only if it is
+/// far outside the range of the usual numbers in the column. In the column of a setting, such as
+/// the speed, a positive whole number such as 9999 is not a placeholder. Temperatures and readings
+/// outside the allowed range of their channel are placeholders too, if there are at most a tenth as
+/// many of them as of other readings. More such numbers indicate another unit.
 class ImpossibleCells {
  public:
   /// `with_sign`: true if the values may be negative. `table` and `source` must live longer than
@@ -39,8 +39,8 @@ class ImpossibleCells {
   double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;
 };
 
-/// Returns the row indices of placeholder numbers such as -9999 in a column. A number near other
-/// numbers of the column is not a placeholder.
+/// Returns the row indices of placeholder numbers such as -9999 in a column. A number near the
+/// range of the usual numbers in the column is not a placeholder.
 [[nodiscard]] std::vector<std::size_t> places_of_marks(std::span<const double> numbers);
 
 /// Removes rows with a placeholder number in one of these columns, and returns a note on them;

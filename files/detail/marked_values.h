@@ -13,7 +13,7 @@
 namespace raceway::files {
 
 /// Returns the marked values of all tables, in the order of the file. `text` is the text of the
-/// file without a UTF-8 byte order mark, and `root` is the result of its parser.
+/// file without a UTF-8 byte order mark, and `root` is the parsed text.
 [[nodiscard]] std::vector<UsedDefault> marked_values(const toml::table& root,
                                                      std::string_view text);
 

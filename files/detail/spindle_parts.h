@@ -28,12 +28,13 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 /// Returns the tables [[heat]].
 [[nodiscard]] std::vector<Section> heat_sections(const ModelTables& tables, const Keys& keys = {});
 
-/// Returns true if a name has only letters, digits and _, as the name of a column before its unit.
+/// Returns true if a name has only letters, digits and _, so that it may be the start of a column
+/// name, before the quantity and the unit.
 [[nodiscard]] bool names_a_column(std::string_view name);
 
-/// Returns the key tables of [shaft], [housing], [seat] and [gap]. network_tables() returns those
-/// for [network], and surroundings_tables() returns those for [ambient], [coolant], [motor] ...
-/// [sensor].
+/// Key tables of the parts of a spindle: body_tables() returns [shaft], [housing], [seat] and
+/// [gap]; network_tables() returns [network]; surroundings_tables() returns [ambient], [coolant],
+/// [motor], [drive], [heat] and [sensor].
 [[nodiscard]] std::vector<KeyTable> body_tables();
 [[nodiscard]] std::vector<KeyTable> network_tables();
 [[nodiscard]] std::vector<KeyTable> surroundings_tables();

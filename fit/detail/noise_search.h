@@ -53,8 +53,8 @@ class NoiseSearch {
   /// Degrees of freedom above which the noise is treated as exact.
   static constexpr double as_good_as_known = 1000.0;
 
-  /// Shares of the variance: a part proportional to the reading, and a part from the scatter of an
-  /// input. The rest of the variance is absolute.
+  /// Shares of the variance: `relative` for noise proportional to the reading, and `input` for
+  /// noise from the scatter of inputs. The rest of the variance is absolute noise.
   struct Shares {
     double relative = 1.0, input = 0.0;
     [[nodiscard]] double absolute() const { return std::max(0.0, 1.0 - relative - input); }
@@ -70,7 +70,9 @@ class NoiseSearch {
     bool even_runs;  ///< true if the offset of a run is equal for all its readings
   };
 
-  /// Parts of the standard deviations, each with an rms of 1.
+  /// Shapes of the three parts of the standard deviations, each with an RMS of 1 over the readings:
+  /// `reading` for the relative part, `own` for the absolute part, and `slope` for the part from
+  /// the scatter of inputs (empty if no input scatters).
   struct Parts {
     Eigen::VectorXd reading, own, slope;
   };

@@ -6,7 +6,7 @@
 #include "session/detail/varied_model.h"
 
 /// Computes the derivative of every prediction with respect to every datum (see sensitivity()).
-/// This file is part of session/sensitivity.cpp.
+/// Only sensitivity() uses this header.
 namespace raceway::session::varied {
 
 /// Predictions after one datum was changed in both directions.

@@ -16,8 +16,7 @@
 #include "session/sensitivity.h"
 #include "text/number_range.h"
 
-/// Computes the predictions of a model with changed data. This file is part of
-/// session/sensitivity.cpp.
+/// Computes the predictions of a model with changed data. Only sensitivity() uses this header.
 namespace raceway::session::varied {
 
 /// Numerical input of the request, for example the speed. The sensitivity to this input is computed
@@ -104,7 +103,7 @@ class Data {
   std::vector<State> states_;
   std::vector<results::VariedDatum> all_;
   std::vector<std::size_t> asked_;
-  // indices of the question's data, which follow the data of the model
+  // indices in `all_` of the data of the question, which follow the data of the model
   std::vector<std::size_t> axes_;
 };
 

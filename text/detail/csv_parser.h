@@ -84,7 +84,7 @@ class CsvParser {
   std::size_t at_ = 0;         ///< start of the next line
   int line_ = 0;               ///< number of the last line
   Line comment_;               ///< the last comment, without leading blanks
-  std::vector<bool> is_unit_;  ///< by column of the file; true: units of the column before
+  std::vector<bool> is_unit_;  ///< for each column: true if it contains units of the column before
   std::vector<Row> held_;      ///< rows that may be a footer; a footer if no other row follows
   LabviewHead labview_;
   std::size_t empty_ends_ = 0;  ///< separators after the last name

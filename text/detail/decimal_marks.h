@@ -15,11 +15,12 @@ namespace raceway::text {
 
 /// Finds the meaning of points and commas in a table with this `separator`. A mark is decimal if a
 /// cell has it outside of digit groups ("0.5"). A mark separates thousands if all cells with this
-/// mark are grouped and the other mark is decimal in other columns. If all cells with the mark are
-/// grouped and no other cell shows its meaning, the user must state the meaning. This is the case
-/// if the same column also has a whole number below 1000 (600 and 1.200), or, for points in a file
-/// with semicolons, if any column has such a number. `points` and `commas`: true if cells may have
-/// this mark.
+/// mark are grouped and the other mark is decimal in other columns. If all cells with a mark are
+/// grouped and no cell has the other mark, the user must state the meaning in two cases: a column
+/// has grouped numbers and also a whole number below 1000 (1.200 and 600), or the mark is a point,
+/// the separator is a semicolon, and any column has a whole number below 1000. DecimalMarks::asked
+/// is then this mark. `points` is true if cells may contain points, `commas` if they may contain
+/// commas.
 [[nodiscard]] DecimalMarks find_decimal_marks(
     char separator, bool points, bool commas, std::size_t rows, std::size_t columns,
     const std::function<std::string_view(std::size_t row, std::size_t column)>& cell);

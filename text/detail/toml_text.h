@@ -19,14 +19,14 @@ namespace raceway::text {
 
 inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 
-/// Returns the tables of a file without the format number. Throws InputError with `source`, line
-/// and, if known, column.
+/// Returns the tables of a file. The key `format` is checked and left out. Throws InputError with
+/// `source`, line and, if known, column.
 [[nodiscard]] toml::table parse_toml(std::string_view text, std::string_view source);
 
 /// Returns the byte offset of the start of a line. The first line has the number 1.
 [[nodiscard]] std::size_t line_start(std::string_view text, std::size_t line);
-/// Returns the byte offset of a place that toml++ gives as line and column. The column is the
-/// number of code points, without a UTF-8 byte order mark.
+/// Returns the byte offset of a place that toml++ gives as line and column. toml++ counts the
+/// column in code points, without a UTF-8 byte order mark.
 [[nodiscard]] std::size_t byte_of(std::string_view text, const toml::source_position& place);
 
 /// Returns approximately the text that the user wrote for a value.

@@ -101,7 +101,7 @@ class Investigation {
   Finding finding_;
   bool plausible_ = true, holds_ = true;
   std::string doubt_;
-  double share_of_tolerance_ = unset;  // share of the refitted base model on held-out blocks
+  double share_of_tolerance_ = unset;  // Search::share_of_tolerance() of the refitted base model
   Diagnosis result_;
 };
 

@@ -13,7 +13,7 @@ struct CalibratedBase {
   fit::OtherBase base{};
   /// Fit without candidates. Its parameters are the free parameters of the other base model. The
   /// gain is the fall of -2 ln L relative to the given model after a refit, minus ln N for each
-  /// additional free parameter.
+  /// additional free parameter, with N readings.
   Explanation explanation{};
   std::string not_testable{};  ///< reason if the base model cannot be tested; empty if it can
 };
