@@ -18,9 +18,9 @@ void check(const Arrangement& arrangement, const ArrangementCondition& c,
   require_between("external_load", c.external_load, -1e8, 1e8, 1.0, "N");
   require_between("elongation", c.elongation, -10 * mm, 10 * mm, um, "um");
   if (!c.shifts.empty() && c.shifts.size() != arrangement.bearings().size())
-    throw std::invalid_argument("shifts: give one for each bearing, or none");
+    throw std::invalid_argument("shifts: give one shift for each bearing, or no shifts");
   if (!options.rotations.empty() && options.rotations.size() != arrangement.bearings().size())
-    throw std::invalid_argument("rotations: give one for each bearing, or none");
+    throw std::invalid_argument("rotations: give one rotation for each bearing, or no rotations");
   for (const RingShift& s : c.shifts)
     for (const double value : {s.axial, s.radial, s.inner_length, s.outer_length})
       require_between("shift", value, -1 * mm, 1 * mm, um, "um");

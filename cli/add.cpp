@@ -114,7 +114,7 @@ Run setup_add(CLI::App& command) {
   declare(command, flags->loop.tolerance);
   flags->declare_force(
       command,
-      "add the effect even if the held-out error does not fall, and replace the file if it exists");
+      "add the effect even if the data do not confirm it, and replace the file if it exists");
   declare_json(command, flags->json);
   flags->report.declare(command);
   command.footer(

@@ -72,9 +72,10 @@ std::vector<double> axis(const std::string& text, const NumberRange& range,
 void AxisFlags::declare(CLI::App& command, const std::string& speed_help) {
   command.add_option("--speed", speed, speed_help)->required()->type_name("VALUES");
   command
-      .add_option("--axial-load", axial_load,
-                  "axial load [N], for a shaft positive towards the tool; default: axial_load_N or "
-                  "external_load_N of the model")
+      .add_option(
+          "--axial-load", axial_load,
+          "axial load [N] (of a shaft: positive towards the tool); default: axial_load_N or "
+          "external_load_N of the model")
       ->type_name("VALUES");
   command
       .add_option("--radial-load", radial_load,

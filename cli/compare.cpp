@@ -69,7 +69,7 @@ Run setup_compare(CLI::App& command) {
       .add_option(
           "--zero", flags->how.zero,
           "for corrections, the error of each run that is subtracted before the comparison:\nmean "
-          "(mean error of the run; default), first (error of its first reading), none")
+          "(mean error of the run; default), first (error of the first reading of the run), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
   declare(command, flags->loop);

@@ -48,8 +48,9 @@ void print_summary(const verdict::Comparison& c) {
     fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
   if (!c.begins.empty() && (c.channel->unit == "um" || record::is_angle(*c.channel))) {
     const correction::Metrics m = results::metrics_of(c);
-    fmt::print("peak to peak    {:>10} {}   largest error     {:>10} % below the largest reading\n",
-               error_text(m.peak_to_peak, *c.channel), unit, number(m.reduction_of_max_percent, 3));
+    fmt::print(
+        "peak-to-peak error {:>7} {}   largest error     {:>10} % below the largest reading\n",
+        error_text(m.peak_to_peak, *c.channel), unit, number(m.reduction_of_max_percent, 3));
   }
   fmt::print("noise of the data: {}\n", noise_text(c));
   if (!std::isnan(c.lack_of_fit.p_value))

@@ -58,7 +58,8 @@ void print(const std::vector<results::Corrected>& list, const record::Record& re
   fmt::print("{}: {} rows over {:.4g} h\n\n{}", record.source, record.rows(),
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
              table.text(terminal_width()));
-  fmt::print("RMS and largest: errors at the readings, after the mean error is subtracted\n");
+  fmt::print(
+      "RMS and largest: errors at the readings, after the mean error of each run is subtracted\n");
   for (const results::Corrected& c : list) print_more_errors(*c.displacement, c.metrics);
   for (const results::Corrected& c : list) print_band(c, record);
   for (const results::Corrected& c : list) print_trust(*c.displacement, c.trust);

@@ -33,8 +33,9 @@ std::string across(double first, double second, const results::DeflectionResult&
 void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
   const results::DeflectionResult& r = found.result;
   const bearing::Arrangement& a = found.beam.sets.arrangement();
-  fmt::print("Deflection of {} under {} at {:.6g} mm, {:.6g} rpm, {}\n", found.file.model.name,
-             results::load_words(r), f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
+  fmt::print("Deflection of {} under {} at {:.6g} mm behind the nose face, {:.6g} rpm, {}\n",
+             found.file.model.name, results::load_words(r), f.at_mm, f.speed_rpm,
+             f.warm ? "warm" : "cold");
   if (r.sets.converged())
     fmt::print(
         "preload {:.4g} N as mounted; forces of the bearing sets at this speed, without the "

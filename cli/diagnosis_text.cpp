@@ -163,7 +163,7 @@ void print_details(const verdict::Diagnosis& d) {
   fmt::print("verdict: {}{}\n\n", verdict::name(d.verdict), p_of_misfit(d));
   if (d.given_other_base) {
     const verdict::Diagnosis& given = *d.given_other_base;
-    fmt::print("given {}: {}{}\n  {}\n\n", d.other_bases.front().words,
+    fmt::print("verdict with {}: {}{}\n  {}\n\n", d.other_bases.front().words,
                verdict::name(given.verdict), p_of_misfit(given), given.headline);
   }
   fmt::print("{}", errors_text(d, false));

@@ -32,7 +32,7 @@ void print(const std::string& name, const session::ShaftCurve& curve) {
       "preload {:.4g} N at standstill; the front set loses contact at an external load of {} N, "
       "and the rear set {}\n\n",
       mounted.preload(), number(free.front),
-      std::isnan(free.rear) ? "at none" : fmt::format("at {} N", number(free.rear)));
+      std::isnan(free.rear) ? "at no load" : fmt::format("at {} N", number(free.rear)));
   // A number, and behind it how sure it is.
   const auto with_band = [&](std::string text, std::size_t row, std::size_t number_of_row,
                              double unit) {

@@ -90,7 +90,8 @@ void print_effect_card(const correction::EffectCard& card) {
   paragraph("looks like", card.confused);
   if (card.of_reading)
     paragraph("applies",
-              "only to this record; the program does not use it for other records or in a control");
+              "only to the record of the fit; the program does not use the effect for other "
+              "records or in a control");
   if (card.evidence) paragraph("found", "from the record itself; the effect has no parameter");
   if (card.numbers.empty()) return;
   fmt::print("\n");

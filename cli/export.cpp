@@ -77,8 +77,9 @@ Run setup_export(CLI::App& command) {
       ->type_name("");
   command
       .add_option("--format", flags->format,
-                  "python (one file, standard library only), c (one C99 header, needs only math.h, "
-                  "double or float), csv (table of numbers with units), linuxcnc (HAL component in "
+                  "python (one file, standard library only), c (one C99 header in double or "
+                  "float precision, needs only math.h), csv (table of numbers with units), "
+                  "linuxcnc (HAL component in "
                   "Python, and its HAL files)")
       ->required()
       ->check(CLI::IsMember({"python", "c", "csv", "linuxcnc"}))

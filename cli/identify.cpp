@@ -30,10 +30,10 @@ void print_validation(const session::Identified& found) {
   for (std::size_t k = 0; k < found.validations.size(); ++k) {
     const record::Channel& displacement = *found.found[k].model.displacement;
     const correction::Metrics& m = found.validations[k].metrics;
-    fmt::print("{} on {}: RMS error {} {unit}, largest error {} {unit}, fit {} %\n",
-               displacement.name, found.validations[k].data, number(m.rms / um, 3),
-               number(m.max_abs / um, 3), number(m.fit_percent, 3),
-               fmt::arg("unit", displacement.unit));
+    fmt::print(
+        "{} on {}: RMS error {} {unit}, largest error {} {unit}, fit {} % (100 %: no error)\n",
+        displacement.name, found.validations[k].data, number(m.rms / um, 3),
+        number(m.max_abs / um, 3), number(m.fit_percent, 3), fmt::arg("unit", displacement.unit));
     print_more_errors(displacement, m);
   }
 }

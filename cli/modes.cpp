@@ -95,8 +95,8 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
   fmt::print("\nfront, rear: forces of the bearing sets; K: radial stiffness of each bearing\n");
   if (!std::isnan(f.unbalance_gmm))
     fmt::print(
-        "nose: amplitude with an unbalance of {:.6g} g mm at {:.6g} mm and a damping ratio of "
-        "{:.6g}\n",
+        "nose: amplitude with an unbalance of {:.6g} g mm at {:.6g} mm behind the nose face and a "
+        "damping ratio of {:.6g}\n",
         f.unbalance_gmm, f.unbalance_at_mm, f.damping);
   print_crossings(found.speeds);
 }

@@ -58,7 +58,7 @@ Run setup_new(CLI::App& command) {
   command
       .add_option("BEARING", flags->wanted.bearing,
                   "designation, such as \"7014 C\"; raceway bearings lists the catalogue; the "
-                  "program estimates other bearings")
+                  "program estimates the data of other bearings")
       ->type_name("");
   command.add_flag(
       "--spindle", flags->wanted.spindle,
@@ -66,7 +66,7 @@ Run setup_new(CLI::App& command) {
   command
       .add_option("--record", flags->record,
                   "write a correction instead, for the displacements of this record over time "
-                  "(CSV), with one channel for each temperature, up to four")
+                  "(CSV), with one channel for each temperature, at most four channels")
       ->type_name("RECORD");
   command
       .add_option("--columns", flags->columns,

@@ -92,11 +92,12 @@ Run setup_sensitivity(CLI::App& command) {
   command.add_flag("--steady", flags->steady, "use the steady state of a whole spindle");
   command.add_flag("--no-coolant", flags->no_coolant, "with --steady: switch off the coolant flow");
   command
-      .add_option("--spread", flags->spread,
-                  "possible error of numbers in both directions, separated by commas, such as "
-                  "ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%; or a file (TOML) with keys of "
-                  "the model. Default: 1 %, 1 K for temperatures, 1 for counts such as ball_count, "
-                  "and sqrt(3) standard errors for fitted numbers")
+      .add_option(
+          "--spread", flags->spread,
+          "possible error of each number, upwards and downwards, separated by commas, such as "
+          "ball_diameter_mm=0.01 or viscosity_40C_mm2_s=10%; or a file (TOML) with keys of "
+          "the model. Default: 1 %, 1 K for temperatures, 1 for counts such as ball_count, "
+          "and sqrt(3) standard errors for fitted numbers")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,
@@ -111,9 +112,9 @@ Run setup_sensitivity(CLI::App& command) {
       ->type_name("SAMPLES");
   command.add_option("--seed", flags->seed, "random seed of the samples; default 1")
       ->type_name("N");
-  command.add_flag(
-      "--all", flags->all,
-      "also list the numbers that cause less than 0.1 % of the sum of the squared changes");
+  command.add_flag("--all", flags->all,
+                   "also list the numbers that each cause less than 0.1 % of the sum of the "
+                   "squared changes of a prediction");
   declare_json(command, flags->json);
   command.footer(
       "Example:\n"

@@ -105,15 +105,16 @@ void print_prediction(const results::Sensitivity& s, const results::PredictionSe
              table.text(std::max<std::size_t>(terminal_width(), narrowest + (p.global ? 30 : 0))));
   if (!left_out.empty())
     print_words(fmt::format(
-        "not shown, because each causes less than 0.1 % of the sum of squared changes: {}",
-        left_out.size() > most_named ? fmt::format("{} (--all lists them)", left_out.size())
+        "not in the table, because each number causes less than 0.1 % of the sum of the squared "
+        "changes of the prediction: {}",
+        left_out.size() > most_named ? fmt::format("{} numbers (--all lists them)", left_out.size())
                                      : text::listed(left_out)));
   if (p.global) {
     double alone = 0.0;
     for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
     fmt::print(
         "prediction over all samples: mean {}, standard deviation {}; the numbers alone, without "
-        "interactions, cause a share of {:.3f} of its variance\n",
+        "interactions, cause a share of {:.3f} of the variance of the prediction\n",
         number(p.global->mean), number(p.global->std, 3), alone);
   }
   for (const std::string& line : p.cannot_tell) fmt::print("{}\n", line);

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "cli/text_table.h"
 #include "results/shaft_results.h"
 #include "shaft/shaft_balance.h"
@@ -44,8 +46,10 @@ void print_sums(const model::Model& model, const shaft::ShaftPrediction& p) {
   fmt::print("front force         {:>10} N       rear force        {:>8} N\n",
              number(e.front_force), number(e.rear_force));
   fmt::print(
-      "front set free at   {:>10} N       rear set free at  {:>8} N external load, at standstill\n",
-      number(free.front), number(free.rear));
+      "at standstill, the front set loses contact at an external load of {} N, "
+      "and the rear set {}\n",
+      number(free.front),
+      std::isnan(free.rear) ? "at no load" : fmt::format("at {} N", number(free.rear)));
   fmt::print("friction torque     {:>10} N mm    power loss        {:>8} W\n",
              number(p.torque / N_mm), number(p.power_loss));
 }

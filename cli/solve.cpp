@@ -61,7 +61,7 @@ Run setup_solve(CLI::App& command) {
   add_number(command, "--speed", flags->point.speed_rpm, speed_range, "shaft speed [rpm]")
       ->required();
   add_number(command, "--axial-load", flags->point.axial_load_N, signed_load_range,
-             "axial load [N], for a shaft positive towards the tool; default: axial_load_N or "
+             "axial load [N] (of a shaft: positive towards the tool); default: axial_load_N or "
              "external_load_N of the model");
   add_number(command, "--radial-load", flags->point.radial_load_N, load_range,
              "radial load along +y [N]; default: [rig] of the model, else 0");

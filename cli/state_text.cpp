@@ -61,8 +61,9 @@ void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEqui
   const auto angle = [](double margin) {
     return std::isnan(margin) ? std::string("none") : fmt::format("{:.2f}", margin / degree);
   };
-  fmt::print("contact ellipse: {} deg to the inner shoulder, {} deg to the outer shoulder\n",
-             angle(left.inner), angle(left.outer));
+  fmt::print(
+      "margin of the contact ellipse: {} deg to the inner shoulder, {} deg to the outer shoulder\n",
+      angle(left.inner), angle(left.outer));
   if (std::isinf(load.least()))
     fmt::print("permissible axial load at standstill: not limited by the shoulders\n");
   else

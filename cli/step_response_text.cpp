@@ -13,8 +13,8 @@ namespace {
 
 void print_load_steps(const std::vector<spindle::LoadSteps>& loads) {
   fmt::print(
-      "\nLoad steps at the nose of the spindle in its steady state: displacement u = (at once) + K "
-      "(1 - exp(-t/T)) after the time t\n\n");
+      "\nLoad steps at the nose of the spindle in its steady state: displacement u = u0 + K (1 - "
+      "exp(-t/T)) after the time t; u0: column \"at once\"\n\n");
   TextTable table({{"step", "", true},
                    {"at once", "um"},
                    {"K", "um"},

@@ -184,10 +184,10 @@ class Planner {
           for (const double n : t.speed) made.torque_Nmm.push_back(t({n, axial, radial, T}) / N_mm);
     if (!t.holds({t.speed.front(), made.axial_load_N.front(), made.radial_load_N.front(),
                   temperatures.front()}))
-      note(
-          fmt::format("channel {}: the constant load or temperature is outside the range of {}; "
-                      "the program uses the torque at the edge of the table",
-                      channel, t.file));
+      note(fmt::format(
+          "channel {}: a load or temperature that no column gives is outside the range of {}; "
+          "the program uses the torque at the edge of the table",
+          channel, t.file));
     plan_.tables.push_back(std::move(made));
     return plan_.tables.size() - 1;
   }
@@ -385,9 +385,10 @@ class Planner {
     if (e.own) {
       if (e.off) return;
       throw text::InputError(
-          fmt::format("{}: effect {} is a user-defined formula, which cannot be exported: remove "
-                      "it, or use a channel with a column of these values",
-                      plan_.source, e.id),
+          fmt::format(
+              "{}: effect {} is a user-defined formula, which cannot be exported: remove "
+              "the effect, or write its values into a column and use this column in a channel",
+              plan_.source, e.id),
           {.file = plan_.source, .key = e.id});
     }
     if (correction::card_of(e).of_reading) {

@@ -195,7 +195,7 @@ class TableReader {
     } else if (first.part == "check") {
       read_check(part);
     } else if (count == 0) {
-      fail(first, "a table has no part of this name");
+      fail(first, "a coefficient table has no part of this name");
     } else if (kind == "together") {
       read_together(part);
     } else if (kind == "section") {
@@ -215,7 +215,7 @@ class TableReader {
       require(part, law, kinematic_numbers);
       axis(first).kinematics.push_back(law);
     } else {
-      fail(first, "a table has no part of this name");
+      fail(first, "a coefficient table has no part of this name");
     }
   }
 
@@ -227,12 +227,12 @@ class TableReader {
       a.counts = number(r, 0, 1) != 0;
     }
     require(part, a, axis_numbers);
-    if (std::abs(a.sign) != 1.0) fail(part.front(), "sign must be 1 or -1");
+    if (std::abs(a.sign) != 1.0) fail(part.front(), "\"sign\" must be 1 or -1");
     // It becomes a name in programs.
     for (const char c : a.output)
       if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
             c == '_' || c == '-'))
-        fail(part.front(), "output must consist of letters, digits, _ and -");
+        fail(part.front(), "\"output\" must consist of letters, digits, _ and -");
   }
 
   void read_check(const Part& part) {
@@ -278,7 +278,9 @@ class TableReader {
         const std::size_t column = next - 1 - (size * (size - 1)) / 2;
         if (size == 0 || column >= size ||
             plan_.inputs[t.inputs[column]].column != r.name.substr(of_weight.size()))
-          fail(r, "this weight is missing or not in the order of the inputs");
+          fail(r,
+               "this weight is out of order: a weight before it is missing, or the weights do not "
+               "follow the order of the inputs");
         t.weights.push_back(number(r));
       } else {
         fail_unknown(r);
@@ -318,7 +320,7 @@ class TableReader {
       if (r.name == "u") {
         u = r.value;
         const auto* const kind = std::find(drive_kinds.begin(), drive_kinds.end(), u);
-        if (kind == drive_kinds.end()) fail(r, "u must be rise, size, power or motor");
+        if (kind == drive_kinds.end()) fail(r, "\"u\" must be rise, size, power or motor");
         d.kind = static_cast<ControlDrive::Kind>(kind - drive_kinds.begin());
       } else if (r.name == "input") {
         d.inputs.push_back(input_named(r, r.value));
@@ -394,8 +396,8 @@ class TableReader {
     t.speed_rpm = list(axes[3]);
     if (d.temperature == nowhere && t.temperature_C.size() > 1)
       fail(first,
-           "the friction table has several temperatures, so this part needs a row temperature that "
-           "names an input");
+           "the friction table has several temperatures, so this part needs a row \"temperature\" "
+           "that names an input");
     d.table = plan_.tables.size();
     plan_.tables.push_back(std::move(t));
   }
@@ -404,7 +406,8 @@ class TableReader {
     ControlSection s{.channel = std::string(part.front().channel)};
     for (const Row& r : read_driven(part, s, section_numbers)) {
       if (r.name != "course") fail_unknown(r);
-      if (r.value != "straight" && r.value != "held") fail(r, "course must be straight or held");
+      if (r.value != "straight" && r.value != "held")
+        fail(r, "\"course\" must be straight or held");
       s.straight = r.value == "straight";
     }
     a.sections.push_back(std::move(s));
@@ -416,7 +419,7 @@ class TableReader {
     const ControlDrive& d = plan_.drives.back();
     if (d.kind != ControlDrive::Kind::power && d.kind != ControlDrive::Kind::size)
       fail(part.front(),
-           "a delay element needs a power or a load as input: u must be power or size");
+           "a delay element needs a power or a load as input: \"u\" must be power or size");
     e.gain_um = curve(part.front(), others, "gain", d.unit);
     e.time_constant_s = curve(part.front(), others, "time_constant", d.unit);
     for (const Row& r : others)
@@ -438,7 +441,8 @@ class TableReader {
       list->push_back(number(r));
     }
     if (e.numerator.size() != e.denominator.size())
-      fail(part.front(), "numerator and denominator must have the same number of coefficients");
+      fail(part.front(),
+           "\"numerator\" and \"denominator\" must have the same number of coefficients");
     a.equations.push_back(std::move(e));
   }
 
@@ -471,7 +475,11 @@ class TableReader {
     }
     const bool table = !c.value.empty();
     if ((line ? 1 : 0) + (law ? 1 : 0) + (table ? 1 : 0) != 1 || (!table && numbers != 2))
-      fail(first, fmt::format("{} must be a line, a power law or a table", name));
+      fail(first,
+           fmt::format(
+               "{0} must be a line (rows {0} slope and {0} value_at_0), a power law (rows {0} "
+               "factor and {0} exponent) or a table (rows {0} at ...)",
+               name));
     c.kind = table ? ControlCurve::Kind::table
              : law ? ControlCurve::Kind::power_law
                    : ControlCurve::Kind::line;

@@ -239,11 +239,11 @@ ArxBaseline arx_baseline(const Model& model, const std::vector<const Channel*>& 
   std::vector<DrivenChannel> channels = bare_channels(model, offered, result.messages);
   for (DrivenChannel& c : channels)
     if (c.input.window && !c.input.window->of_input) {
-      result.messages.push_back(
-          record::note::limits(fmt::format("channel {}: an ARX model cannot use a window that acts "
-                                           "on the displacement, so this window is left out",
-                                           c.name),
-                               {.key = c.name}));
+      result.messages.push_back(record::note::limits(
+          fmt::format("channel {}: its window scales the displacement, which is "
+                      "not possible in an ARX model; the window is left out",
+                      c.name),
+          {.key = c.name}));
       c.input.window.reset();
     }
   for (const DrivenChannel& c : channels) result.inputs.push_back(c.name);

@@ -58,7 +58,7 @@ Interval positive_within(const Characteristic::Table& f) {
 Characteristic::Characteristic(Table table) : form_(std::move(table)) {
   const Table& t = std::get<Table>(form_);
   if (t.input.empty() || t.input.size() != t.value.size())
-    throw std::invalid_argument("a table needs as many values as inputs, and at least one of each");
+    throw std::invalid_argument("a table needs one value for each input, and at least one input");
   if (std::adjacent_find(t.input.begin(), t.input.end(), std::greater_equal<>()) != t.input.end())
     throw std::invalid_argument("the inputs of a table must increase from value to value");
 }

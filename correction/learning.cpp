@@ -193,8 +193,8 @@ class Learner {
     for (const double s : last_) sum += s;
     if (sum > chi_squared_of_judged)
       is_due(too_far, row,
-             fmt::format("{} consecutive readings have {:.2g} times the RMS error that a misfit of "
-                         "{:.3g} {} explains",
+             fmt::format("{} consecutive readings have {:.2g} times the RMS error that is expected "
+                         "for a misfit of {:.3g} {}",
                          judged, std::sqrt(sum / static_cast<double>(judged)), result_.misfit / um,
                          unit_of(model_)));
   }

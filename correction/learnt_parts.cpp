@@ -124,7 +124,7 @@ std::vector<Unknown> zero_and_misfits(const Model& model, double misfit) {
   const double size = size_of_misfits * misfit / std::sqrt(static_cast<double>(memories.size()));
   const bool warm = model.initial_state == InitialState::free;
   for (const double memory : memories)
-    list.push_back({.name = fmt::format("misfit of {:.3g} s", memory),
+    list.push_back({.name = fmt::format("misfit with a correlation time of {:.3g} s", memory),
                     .std = size,
                     .memory = memory,
                     .first_std = warm && memory > shortest_memory ? unknown_start : size});

@@ -258,8 +258,8 @@ ParallelForm parallel_form(const TransferFunction& printed) {
   const std::size_t order = f.denominator.size() - 1;
   if (f.numerator.size() > order + 1)
     throw std::invalid_argument(
-        "the numerator is longer than the denominator: a response that ends after some samples is "
-        "not a lag");
+        "the numerator has more coefficients than the denominator, so a part of the response ends "
+        "after some samples; a sum of lags has no such part");
   const std::vector<Extended> shifted = about_one(f.denominator);
   std::vector<Extended> rates;  // 1 - pole
   for (const std::complex<double>& p : poles_of(f.denominator)) {

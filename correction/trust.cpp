@@ -167,8 +167,9 @@ Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                 shown(model, errors.rms), shown(model, uncorrected))};
   Trust trust = trust_of(model);
   if (trust.level == TrustLevel::good && beyond.rows() > 0)
-    trust = {TrustLevel::within_range, fmt::format("{} of the {} rows of this record are outside",
-                                                   beyond.rows(), beyond.at_row.size())};
+    trust = {TrustLevel::within_range,
+             fmt::format("{} of the {} rows of this record are outside the range of the model",
+                         beyond.rows(), beyond.at_row.size())};
   return trust;
 }
 

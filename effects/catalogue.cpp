@@ -51,7 +51,9 @@ constexpr Description describe() {
     d.lubricant_by_tangents = &E::lubricant_by_tangents;
   if constexpr (requires { &E::moment; }) d.moment = &E::moment;
   if constexpr (requires { &E::unit_moment; }) {
-    static_assert(E::parameters.size() == 1, "unit_moment belongs to one linear parameter");
+    static_assert(
+        E::parameters.size() == 1,
+        "an effect with unit_moment has a single parameter, and its moment is proportional to it");
     d.unit_moment = &E::unit_moment;
   }
   if constexpr (requires { &E::reading; }) {
@@ -165,8 +167,8 @@ std::string_view text(Need need) {
       return "a known reference torque: the measured torque alone does not separate this effect "
              "from a common factor on all moments";
     case Need::cold_friction:
-      return "a model whose friction uses the forces of the cold sets (preload_feedback = false): "
-             "the forces of the warm sets already include the effect";
+      return "a model whose friction uses the forces of the cold bearing sets (preload_feedback = "
+             "false): the forces of the warm bearing sets already include the effect";
   }
   return "";
 }

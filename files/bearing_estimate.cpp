@@ -117,8 +117,9 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
         {.key = "BEARING"});
   if (!(o.bore > 0 && o.outer_diameter > 1.1 * o.bore && o.outer_diameter < 5.0 * o.bore))
     throw text::InputError(
-        fmt::format("--outer-diameter = {:.6g} mm: must be from 1.1 to 5 times the bore, {:.6g} mm",
-                    o.outer_diameter / mm, o.bore / mm),
+        fmt::format(
+            "--outer-diameter = {:.6g} mm: must be from 1.1 to 5 times the bore ({:.6g} mm)",
+            o.outer_diameter / mm, o.bore / mm),
         {.key = "--outer-diameter"});
   if (std::isnan(o.contact_angle)) o.contact_angle = 15 * degree;
   const Ratios ratios = ratios_of(o, rows);

@@ -23,17 +23,17 @@ using record::Channel;
 constexpr Key columns_keys[]{
     {"decimal_mark", one_of(".|,"), unset,
      "decimal mark of the file, point or comma; the other of these two marks separates thousands. "
-     "Required if the numbers are ambiguous"},
+     "Required if a number can be read in two ways, such as 1,234"},
     {"date_order", one_of("day first|month first|year first"), unset,
      "order of day, month and year in dates with slashes, dashes or two-digit years. Required if "
      "the dates can be read in several orders that give different times between the rows"},
     {"settings_hold", one_of("from row|until row"), unset,
-     "time in which the settings (speed, loads, feeds, coolant) in a row of a record over time "
-     "apply. \"from row\": from this row to the next, as in a programme of events; the reading in "
-     "the row was taken just before the change. \"until row\": from the previous row to this row, "
-     "as in loggers that stamp the end of an interval. Default: \"until row\" for a spindle; for a "
-     "correction, settings apply from their row to the next row, and the reading in the row was "
-     "taken with these settings"},
+     "time for which the settings (speed, loads, feeds, coolant) of a row apply in a record over "
+     "time. \"from row\": from this row to the next, as in a programme of events; the reading in "
+     "the row was taken just before the settings changed. \"until row\": from the previous row to "
+     "this row, as in loggers that stamp the end of an interval. Default: \"until row\" for a "
+     "spindle; for a correction, settings apply from their row to the next row, and the reading in "
+     "the row was taken with these settings"},
 };
 constexpr Key rule_keys[]{
     {"column", a_text, is_required,

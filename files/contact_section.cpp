@@ -47,9 +47,9 @@ const Key contact_bearing_keys[]{
 };
 const Key contact_friction_keys[]{
     {"inlet_over_b", between(1.05, 100), unset,
-     "distance from the centre of the contact to the oil meniscus before it, divided by the half "
-     "width b of the contact; without this key, the film thickness is the value for a flooded "
-     "inlet"},
+     "distance from the centre of the contact to the oil meniscus at the contact inlet, divided by "
+     "the half width b of the contact; without this key, the film thickness is the value for a "
+     "flooded inlet"},
     // Zhou and Hoeprich's share of the asperities; their numbers belong to a surface.
     {"asperity_factor", between(0.1, 10), usual_contact.asperities.B,
      "coefficient B in the load share of the asperities, exp(-B lambda^C), with the film ratio "

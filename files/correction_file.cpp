@@ -34,7 +34,7 @@ constexpr double most = 1e9;  // of any number of a file
 constexpr Key correction_keys[]{
     {"displacement", a_text, is_required,
      "column that the correction predicts: displacement_NAME_um, or displacement_NAME_urad for an "
-     "angle. The keys of an angle end in urad instead of um: gain_urad_K, offset_urad, "
+     "angle. The keys of an angle contain urad instead of um: gain_urad_K, offset_urad, "
      "tolerance_urad ..."},
     {"name", a_text, "name of the column", "name in the results"},
     {"tolerance_um", between(0, 1e6, "um"), unset,
@@ -74,7 +74,8 @@ constexpr Key correction_channel_keys[]{
     {"exponent", between(0.5, 3.0), 1.0,
      "exponent for a speed n as input: n (n/1000 rpm)^(exponent - 1) drives the channel"},
     {"reference", a_text, unset,
-     "temperature column whose rise is subtracted from the rise of the input"},
+     "temperature column whose change since the first row of the run is subtracted from the same "
+     "change of the input"},
     {"sections", a_list, unset, "lags of the channel, each with gain and time constant"},
     {"scale", between(-1e6, 1e6), 1.0,
      "factor on the whole channel, for example to adapt it to another spindle of the same type"},
@@ -129,7 +130,8 @@ constexpr Key element_gain_keys[]{
      "slope of the gain against the input. The name of the key ends in the unit of the input: "
      "slope_um_W, slope_um_N ..."},
     {"offset_um", between(-most, most, "um"), unset,
-     "gain at an input of 0, together with the slope (slope_um_W or a similar key)"},
+     "offset in gain = slope * x + offset; x is the input in its unit, and the slope is the key "
+     "slope_um_W or a similar key"},
     {"factor", between(-most, most, "um"), unset,
      "factor in gain = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in gain = factor * x^exponent"},
@@ -141,7 +143,8 @@ constexpr Key element_time_keys[]{
      "slope of the time constant against the input. The name of the key ends in the unit of the "
      "input: slope_min_W, slope_min_N ..."},
     {"offset_min", between(-most, most, "min"), unset,
-     "time constant at an input of 0, together with the slope (slope_min_W or a similar key)"},
+     "offset in time constant = slope * x + offset; x is the input in its unit, and the slope is "
+     "the key slope_min_W or a similar key"},
     {"factor", between(-most, most, "min"), unset,
      "factor in time constant = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},
@@ -164,16 +167,17 @@ constexpr Key kinematic_keys[]{
 
 constexpr Key correction_effect_keys[]{
     {"id", a_text, is_required,
-     "id of an effect on records over time (raceway effects lists them), or a new id for an effect "
-     "with a formula. The parameters of the effect are further keys of this table"},
+     "id of an effect on a displacement over time that raceway effects lists, or a new id for an "
+     "effect with a formula. The parameters of the effect are further keys of this table"},
     {"input", a_text, unset, "column, or list of columns, that drives the effect"},
     {"channel", a_text, unset, "name of the channel that the effect changes"},
     {"axis", a_text, unset,
-     "machine axis whose movement causes the effect, such as x; part of the names of its "
-     "parameters"},
+     "machine axis whose movement causes the effect, such as x; the parameter names of the effect "
+     "contain this axis"},
     {"window", a_table, unset,
-     "only for id = \"input\": { column, points, acts_on } of a position, as in a channel; the "
-     "effect acts on the input of its channel inside this window"},
+     "only for id = \"input\": window { column, points, acts_on } on an axis position, as in a "
+     "channel; inside the window, the effect adds a displacement that follows the input of the "
+     "channel"},
 };
 constexpr Key correction_own_effect_keys[]{
     {"formula", a_text, unset,
@@ -316,9 +320,9 @@ class CorrectionReader {
       const auto file = s.text("friction_table");
       if (!file)
         s.fail("input",
-               "input = \"power_W\": friction_table is missing, a CSV with speed_rpm, "
-               "axial_load_N, temperature_C and friction_torque_Nmm, as raceway table writes it. "
-               "For a recorded power, use its column, such as spindle_power_W");
+               "input = \"power_W\": friction_table is missing. This key names a CSV with "
+               "speed_rpm, axial_load_N, temperature_C and friction_torque_Nmm, which raceway "
+               "table can write. For a recorded power, use its column, such as spindle_power_W");
       in.table = std::make_shared<const correction::FrictionTable>(table(s, *file));
       const correction::FrictionTable& t = *in.table;
       in.axial_load = coordinate(s, record::axial_load, t.axial_load, 0.0);
@@ -399,7 +403,7 @@ class CorrectionReader {
                            record::is_temperature(of) ? "NAME_temperature_C" : "that ends in _N"));
       if (axis.size() < 2)
         s.fail(of.name, fmt::format("{} = \"{}\": the friction table has only one value of this "
-                                    "quantity, so the column would have no effect",
+                                    "quantity, so the column would have no effect; give a number",
                                     of.name, c->name));
       return {.column = c};
     }
@@ -417,11 +421,10 @@ class CorrectionReader {
     if (in.radial_load.column || (asked >= loads.front() && asked <= loads.back())) return;
     std::vector<std::string> known;
     for (const double load : loads) known.push_back(fmt::format("{:g}", load));
-    s.fail(
-        "radial_load_N",
-        fmt::format(
-            "radial_load_N = {:g} N is outside the range of {}, which has the radial load{} {} N",
-            asked, in.table->file, known.size() == 1 ? "" : "s", text::listed(known)));
+    s.fail("radial_load_N",
+           fmt::format("radial_load_N = {:g} N is outside the range of the friction table {} "
+                       "(radial load{}: {} N)",
+                       asked, in.table->file, known.size() == 1 ? "" : "s", text::listed(known)));
   }
 
   DrivenChannel channel(const Section& table, const Model& m) {
@@ -522,12 +525,11 @@ class CorrectionReader {
         !c.input.is_power() && !record::acts_by_amount(*c.input.columns.front())};
     notes_.push_back(record::note::assumed(
         fmt::format(
-            "channel {}: at {} of 0, the gain is 0, and the value of `gain` is ignored; the "
-            "time constant is the value of `time_constant` at this {}{}",
+            "channel {}: at {} of 0, the gain is 0{}, and the value of `gain` is ignored; the time "
+            "constant is the value of `time_constant` at this {}",
             c.name, c.input.is_power() ? "a power" : "an input",
-            c.input.is_power() ? "power" : "input",
-            c.input.is_power() ? ". The publication of this law gives no value for standstill"
-                               : ""),
+            c.input.is_power() ? " because a spindle at standstill produces no heat" : "",
+            c.input.is_power() ? "power" : "input"),
         {.key = c.name}));
   }
 
@@ -553,8 +555,8 @@ class CorrectionReader {
   void read_printed(const Section& s, const Model& m, DrivenChannel& c) {
     if (std::isnan(m.sampling))
       s.fail("numerator",
-             "numerator: the coefficients are valid for one sampling interval only: [correction] "
-             "sampling_s is missing");
+             "numerator: the coefficients are valid for one sampling interval only, but sampling_s "
+             "is missing under [correction]");
     correction::TransferFunction printed{coefficients(s, "numerator"),
                                          coefficients(s, "denominator"), m.sampling};
     for (double& a : printed.numerator) a *= um / c.input.factor();
@@ -575,7 +577,7 @@ class CorrectionReader {
     const auto id = s.text("id");
     Names known;
     for (const correction::EffectCard& card : correction::catalogue()) known.emplace_back(card.id);
-    if (!id) s.fail_missing("id", ", the id of an effect; raceway effects lists them");
+    if (!id) s.fail_missing("id", ", the id of an effect; raceway effects lists all ids");
     const correction::EffectKind* const found = correction::find_kind(*id);
     if (s.find("formula")) {
       if (found)

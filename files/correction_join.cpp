@@ -112,7 +112,7 @@ void narrow(std::vector<correction::SeenRange>& ranges, const correction::SeenRa
   if (known->lower > known->upper)
     refuse(file,
            fmt::format("{}: its range does not overlap the range of an earlier file, so no "
-                       "operating point is inside both",
+                       "operating point is inside both ranges",
                        other.name),
            other.name);
 }

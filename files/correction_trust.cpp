@@ -34,14 +34,15 @@ constexpr Key correction_residual_keys[]{
 
 constexpr Key correction_trust_keys[]{
     {"error_um", between(0, 1e9, "um"), unset,
-     "RMS error on held-out readings; missing if no readings were held out. Written by identify, "
-     "calibrate and add; export uses this table to rate the trust in the correction"},
+     "RMS error on held-out readings; missing if no readings were held out. The commands identify, "
+     "calibrate and add write this table, and export rates the trust in the correction with it"},
     {"uncorrected_um", between(0, 1e9, "um"), is_required,
-     "RMS of the uncorrected displacement after a constant is subtracted"},
+     "RMS of the displacement without correction, after the mean of each run is subtracted"},
     {"duration_s", between(0, 1e12, "s"), is_required,
      "duration of the readings in the longest run"},
     {"course", one_of("returns|one-way"), is_required,
-     "course of the readings; one-way: the readings only rise once, or only fall once"},
+     "course of the readings; one-way: they change once, in one direction, such as in a warm-up "
+     "without cool-down; returns: any other course"},
     {"judged_by", one_of("held-out|other-record"), is_required,
      "source of the held-out readings: parts of the record, or another record (identify "
      "--validate)"},

@@ -37,9 +37,10 @@ void find_falls(const text::CsvTable& table, const Recognised& found, DataColumn
   for (const Channel* c : readings)
     if (const ColumnSource* const source = found.find(*c))
       throw text::InputError(
-          fmt::format("{}: columns {} and {} cannot be in the same file: a file has either times "
-                      "between two speeds, speeds over time, or readings at a speed",
-                      table.header_place().text(), source->name, speed_from.name),
+          fmt::format(
+              "{}: columns {} and {} cannot be in the same file: a file has only one of these: "
+              "times between two speeds, speeds over time, or readings at constant speeds",
+              table.header_place().text(), source->name, speed_from.name),
           table.header_place(source->name));
 }
 
@@ -165,13 +166,12 @@ void require_measured(const text::CsvTable& table, const model::Expected& expect
         table.header_place());
   if (!expected.coast_down)
     throw text::InputError(
-        fmt::format(
-            "{}; for a coast-down ({}) the model needs inertia_kgm2 under [rig], a number or "
-            "\"unknown\"",
-            wanted,
-            columns.falls.empty()
-                ? fmt::format("only {} and {}", record::time.name, record::speed.name)
-                : "times between two speeds"),
+        fmt::format("{}; to use the file as a coast-down ({}), the model needs inertia_kgm2 under "
+                    "[rig], a number or \"unknown\"",
+                    wanted,
+                    columns.falls.empty()
+                        ? fmt::format("only {} and {}", record::time.name, record::speed.name)
+                        : "times between two speeds"),
         table.header_place());
 }
 
@@ -202,7 +202,7 @@ void require_inputs(const text::CsvTable& table, const model::Expected& expected
               table.header_place().text(), c.name, text::listed(table.header), table.source),
           table.header_place(c.name));
     const std::string none =
-        c.kind.empty() ? "" : fmt::format(", 0 if the {} is zero or unknown", c.kind);
+        c.kind.empty() ? "" : fmt::format("; if the {} is zero or unknown, give 0", c.kind);
     throw text::InputError(
         fmt::format("{0}: the {1} is missing: give a column {2}, or {2} in the model under {3}{4}",
                     table.header_place().text(), c.words, c.name, d.from, none),

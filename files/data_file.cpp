@@ -315,7 +315,7 @@ class Reader {
           fmt::format("inertia_kgm2 = \"unknown\": the program assumes {:.4g} kg m2, so that the "
                       "mean measured torque equals the mean torque of the unfitted model. Torques, "
                       "f0, z and all values in N mm have an unknown common factor; the record "
-                      "determines only the shape of the curve",
+                      "determines only the shape of the torque curve",
                       assumed.inertia),
           {.key = "inertia_kgm2"}));
       result.up_to_a_factor = true;

@@ -136,7 +136,7 @@ std::string displacement_table_text(const shaft::DisplacementTable& table,
       "speed_rpm,axial_displacement_um,slope_um_rpm\n",
       text::printable(source), RACEWAY_VERSION,
       table.monotone ? "the whole curve only rises or only falls"
-                     : "between two rows, it only rises or only falls");
+                     : "between two rows, the displacement only rises or only falls");
   for (std::size_t i = 0; i < table.speed.size(); ++i)
     text += fmt::format("{:.12g},{:.12g},{:.12g}\n", table.speed[i] / rpm,
                         table.displacement[i] / um, table.slope[i] / (um / rpm));

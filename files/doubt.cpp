@@ -44,7 +44,7 @@ Doubt other_temperature(const record::Channel& channel, double from, double to,
                         std::string_view unit) {
   const text::Unit& other = *text::find_unit(unit, text::Dimension::temperature);
   return {.text = fmt::format(
-              "{} goes from {:.4g} to {:.4g} C: are the values in {} ({:.3g} to {:.3g} C)?",
+              "{} goes from {:.4g} to {:.4g} C: are the values in {}, that is {:.3g} to {:.3g} C?",
               channel.name, from, to, unit == "K" ? "kelvin" : "fahrenheit",
               celsius(other.to_SI(from)), celsius(other.to_SI(to))),
           .units = {{&channel, other.suffix}}};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Key effect_id_keys[]{
     {"id", a_text, is_required,
-     "id of an effect in the catalogue (raceway effects lists them), or a new id for an effect "
+     "id of an effect in the catalogue, which raceway effects lists, or a new id for an effect "
      "with a formula. The parameters of the effect are further keys of this table"}};
 constexpr Key own_effect_keys[]{
     {"torque_Nmm", a_text, unset,

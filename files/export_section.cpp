@@ -59,11 +59,11 @@ const Key control_keys[]{
      "time in which an offset fades after a lasting fault, and in which it returns after the "
      "fault"},
     {"longest_gap_s", between(1e-3, 1e6, "s"), usual_control.longest_gap_s,
-     "longest normal time between two calls; after a longer gap, offsets move at most as far as in "
-     "this time, and the program raises an alarm"},
+     "longest normal time between two calls of the exported program; after a longer gap, offsets "
+     "move at most as far as in this time, and the program raises an alarm"},
     {"clock_jump_s", between(1e-3, 1e9, "s"), usual_control.clock_jump_s,
-     "limit of the time between two calls; if more time passes without a restart, the program "
-     "assumes that the clock was changed, and the offsets keep their values"},
+     "limit of the time between two calls of the exported program; if more time passes without a "
+     "restart, the program assumes that the clock was changed, and the offsets keep their values"},
     {"restart", one_of("decay|resume|rest"), usual_control.restart,
      "state of the lags of the correction after the control was off for longer than longest_gap_s: "
      "decay (assume speeds and feeds of 0 in this time), resume (assume that no time has passed) "
@@ -187,9 +187,11 @@ class ExportReader {
       const auto low = pair && pair->size() == 2 ? pair->get(0)->value<double>() : std::nullopt,
                  high = pair && pair->size() == 2 ? pair->get(1)->value<double>() : std::nullopt;
       if (!low || !high || !(*low < *high) || !(std::abs(*low) <= 1e9 && std::abs(*high) <= 1e9))
-        throw text::InputError(fmt::format("{}: {} = {}: must be [lowest, highest]", s_.place(at),
-                                           name, text::shown(*at)),
-                               s_.at(key, at));
+        throw text::InputError(
+            fmt::format(
+                "{}: {} = {}: must be [lowest, highest], in ascending order and from -1e9 to 1e9",
+                s_.place(at), name, text::shown(*at)),
+            s_.at(key, at));
       return correction::ControlLimits{*low, *high};
     });
   }

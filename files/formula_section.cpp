@@ -58,7 +58,7 @@ void fail_formula(const Section& s, const std::string& key, const std::string& i
     hint = text::suggestion(error.unknown_name, known);
     if (hint.empty()) {
       if (valid_name(error.unknown_name))
-        hint = fmt::format("; if it is a parameter, give {} = {{value = 1.0, unit = \"N mm\"}}",
+        hint = fmt::format("; if {0} is a parameter, give {0} = {{value = 1.0, unit = \"N mm\"}}",
                            error.unknown_name);
       hint += "; a formula can use " + text::listed(known);
     }

@@ -209,8 +209,8 @@ std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tabl
   }
   table.file = *file;
   if (table.of_shaft)
-    s.fail("file", fmt::format("file = \"{}\": the table is for a whole shaft, but the law table "
-                               "needs the torque of one bearing (a model without [arrangement])",
+    s.fail("file", fmt::format("file = \"{}\": the table is for a whole shaft, but this key needs "
+                               "a table for one bearing (from a model without [arrangement])",
                                *file));
   for (const auto& [has, column] : {std::pair(table.has_axial_load, record::axial_load.name),
                                     std::pair(table.has_radial_load, record::radial_load.name),

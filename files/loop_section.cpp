@@ -73,7 +73,7 @@ Names default_names(ModelTables& tables, const model::Model& model) {
   std::string text = list_of(names);
   if (const Names of_torque = model::default_free(model.law);
       model.shaft && !model.spindle && names != of_torque)
-    text += fmt::format(" (for a displacement; for a torque: {})", list_of(of_torque));
+    text += fmt::format(" (to fit a displacement; to fit a torque: {})", list_of(of_torque));
   tables.note_default("calibration", "free", text);
   return names;
 }
@@ -111,7 +111,10 @@ Names names_in(const Section& s, std::string_view key, const toml::node& node,
             "no such parameter" + (near.empty() ? "; this model has " + text::listed(all) : near));
     }
     if (std::next(first) != last)
-      wrong(entry, "several effects have a parameter of this name; write effect-id." + *name);
+      wrong(entry,
+            "several effects have a parameter of this name; put the id of one effect before the "
+            "name: EFFECT." +
+                *name);
     if (std::find(names.begin(), names.end(), first->second) != names.end())
       wrong(entry, "is given twice");
     names.push_back(first->second);

@@ -63,14 +63,14 @@ std::string friction_lines(friction::FrictionLaw law) {
           "sum of the friction of all balls; or \"palmgren\", \"skf\"; raceway new --law writes a "
           "model with such a law");
       add("rolling_factor", initial("rolling_factor"),
-          "factor on the rolling resistance of the oil, most of the torque at speed; known to +-40 "
-          "%");
+          "factor on the rolling resistance of the oil, most of the torque at high speed; known to "
+          "+-40 %");
       add("hysteresis_factor", initial("hysteresis_factor"),
           "factor on the hysteresis loss of the steel");
       add("mu_boundary", initial("mu_boundary"),
           "friction coefficient of the asperity contacts, which carry load at film ratios below 2");
       add("K_rs", initial("K_rs"),
-          "replenishment of the oil: 3e-8 bath or jet, 6e-8 grease or oil-air; 0 is off");
+          "replenishment of the oil: 3e-8 bath or jet, 6e-8 grease or oil-air; 0: no starvation");
       add("oil_fraction", initial("oil_fraction"),
           "share of the free space that is filled with oil; 0: no drag");
       break;
@@ -111,7 +111,7 @@ minimum_speed_rpm = {:.10g}              # slower rows of a coast-down are left 
 # inertia_kgm2 = 0.5               # of all rotating parts, or "unknown"; required for coast-down records
 
 [solver]
-race_control = "outer"             # or "inner"; of the contact law "balanced"
+race_control = "outer"             # or "inner"; with the contact law also "balanced"
 tilt = "locked"                    # or "free"
 
 [calibration]
@@ -149,7 +149,7 @@ std::string spindle_lines(const CatalogueBearing& row) {
   add("front", "2", "assumed: number of bearings at the tool");
   add("rear", "1", "assumed");
   add("mounting", "\"rigid\"", "or \"spring\"; assumed");
-  add("preload_N", number(preload), "assumed: at standstill as mounted, 0.7 % of C0");
+  add("preload_N", number(preload), "assumed: preload at standstill, 0.7 % of C0");
   add("front_position_mm", fmt::format("[{:.6g}, {:.6g}]", first, first + 1.5 * width),
       "assumed: distances of the bearing centres behind the nose face");
   add("rear_position_mm", fmt::format("[{:.6g}]", rear), "assumed");
@@ -226,8 +226,8 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
   std::string title = remarks.title;
   if (remarks.of_spindle)
     title = fmt::format(
-        "A complete spindle on three bearings {}. Replace the values that are marked as assumed\n# "
-        "or estimated by your own values.",
+        "A complete spindle on three bearings {}. Enter your own values\n# where a value is marked "
+        "as assumed or estimated.",
         name);
   else if (title.empty())
     title = fmt::format(
@@ -254,7 +254,7 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
   add("outer_diameter_mm", number(g.outer_diameter / mm));
   if (remarks.of_spindle)
     add("width_mm", number(width_of(row) / mm),
-        std::isnan(row.width) ? "estimated: half of outer diameter - bore" : "ring width");
+        std::isnan(row.width) ? "estimated: (outer diameter - bore) / 2" : "ring width");
   add("ball_material", fmt::format("\"{}\"", remarks.ball_material),
       remarks.ball_material == "steel" ? "or \"silicon-nitride\", or a [material.NAME] as below"
                                        : "or \"steel\", or a [material.NAME] as below");

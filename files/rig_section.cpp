@@ -14,11 +14,11 @@ constexpr Key rig_keys[]{
     {"bearings", whole(1, 100), static_cast<double>(usual_rig.bearings),
      "number of bearings on the rig; the reading is the sum of their torques"},
     {"axial_load_N", between(0, 1e8, "N"), unset,
-     "axial load of one bearing, for records without this column"},
+     "axial load of one bearing, for records without a column axial_load_N"},
     {"radial_load_N", between(0, 1e8, "N"), usual_rig.radial_load,
-     "radial load of one bearing, for records without this column"},
+     "radial load of one bearing, for records without a column radial_load_N"},
     {"temperature_C", between(-273, 500, "C"), celsius(usual_rig.temperature),
-     "lubricant temperature, for records without this column"},
+     "lubricant temperature, for records without a column temperature_C"},
     {"room_temperature_C", between(-273, 500, "C"),
      "temperature of the coldest row (for diagnose and add)",
      "room temperature, for the effect temperature-gain"},
@@ -29,8 +29,8 @@ constexpr Key rig_keys[]{
 
 constexpr Key race_control_keys[]{
     {"race_control", one_of("outer|inner|balanced"), "outer",
-     "assumption about ball spin: none at the outer race, none at the inner race, or (with law = "
-     "\"contact\") equilibrium of the tractions"},
+     "assumption about ball spin: no spin at the outer race, no spin at the inner race, or (with "
+     "law = \"contact\") equilibrium of the tractions"},
 };
 constexpr Key tilt_keys[]{
     {"tilt", one_of("locked|free"), "locked",

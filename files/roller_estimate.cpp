@@ -118,7 +118,7 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
   const auto length = [](double value) { return fmt::format("{:.6g}", value / mm); };
   std::string text = fmt::format(
       "# Model of an {} on a rig, an axially free cylindrical roller bearing.\n"
-      "# The rollers are estimated from {}: replace them by your own values.\n\n"
+      "# The roller data are estimated from {}: replace them by your own values.\n\n"
       "[bearing]\n",
       bearing.designation,
       bearing.printed() ? "catalogue data of a manufacturer (IBC, 2010)"

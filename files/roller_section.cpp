@@ -96,12 +96,11 @@ void refuse_keys_of_balls(const Section& s) {
       if (!node || has(keys_of_rollers, key.name)) continue;
       const std::string of_rollers =
           key.name.starts_with("ball") ? "roller" + std::string(key.name.substr(4)) : "";
-      s.fail(
-          key.name,
-          fmt::format("{} = {}: this key is only for ball bearings, but the type is \"{}\"{}",
-                      key.name, text::shown(*node), roller_type,
-                      has(keys_of_rollers, of_rollers) ? fmt::format(", which has {}", of_rollers)
-                                                       : std::string()));
+      s.fail(key.name,
+             fmt::format("{} = {}: this key is only for ball bearings, but the type is \"{}\"{}",
+                         key.name, text::shown(*node), roller_type,
+                         has(keys_of_rollers, of_rollers) ? fmt::format("; use {}", of_rollers)
+                                                          : std::string()));
     }
 }
 
@@ -168,7 +167,9 @@ std::string name_on_shaft(const Section& s, const std::vector<model::RollerOnSha
         "NAME_clearance_um");
   for (const char* set : {"front_", "rear_"})
     if (name.starts_with(set))
-      fail("must not begin with front_ or rear_, because the bearings of the sets have such names");
+      fail(
+          "must not begin with front_ or rear_, because the bearings of the front and rear sets "
+          "have such names");
   for (const model::RollerOnShaft& other : before)
     if (other.name == name) fail("another roller bearing has this name; choose another name");
   return name;
@@ -205,10 +206,11 @@ void refuse_sets_and_spindles(const ModelTables& tables) {
   for (const std::string& table : others)
     if (const toml::node* const node = tables.root().get(table))
       throw text::InputError(
-          fmt::format("{}:{}: [{}]: not possible with a [bearing] of type \"{}\", which is a "
-                      "single bearing on a rig. Sets need ball bearings; for roller bearings of a "
-                      "spindle, use [[shaft.roller_bearing]]",
-                      tables.source(), node->source().begin.line, table, roller_type),
+          fmt::format(
+              "{}:{}: [{}]: not possible with a [bearing] of type \"{}\", which is a "
+              "single bearing on a rig. Bearing sets need ball bearings; for roller bearings of a "
+              "spindle, use [[shaft.roller_bearing]]",
+              tables.source(), node->source().begin.line, table, roller_type),
           {.file = tables.source(),
            .line = static_cast<int>(node->source().begin.line),
            .key = table});
@@ -268,9 +270,10 @@ void refuse_keys_of_rollers(const Section& bearing) {
   if (type == roller_type)
     bearing.fail(
         "type",
-        fmt::format("type = \"{}\": sets need ball bearings; a roller bearing is possible as a "
-                    "single bearing on a rig, or in a spindle as [[shaft.roller_bearing]]",
-                    roller_type));
+        fmt::format(
+            "type = \"{}\": bearing sets need ball bearings; a roller bearing is possible as a "
+            "single bearing on a rig, or in a spindle as [[shaft.roller_bearing]]",
+            roller_type));
   for (const Key& key : keys_of_rollers) {
     const toml::node* const node = bearing.find(key.name);
     if (node && !has(bearing_keys(), key.name) && key.name != width_key)

@@ -26,7 +26,8 @@ const ColumnSource& required(const text::CsvTable& table, const Recognised& foun
   if (const ColumnSource* const source = found.find(channel)) return *source;
   if (const ColumnSource* const source = other ? found.find(*other) : nullptr) return *source;
   throw text::InputError(
-      fmt::format("{}:{}: column {} is missing{}; the header has {}. A calibration has {} and {}; "
+      fmt::format("{}:{}: column {} is missing{}; the header has {}. A calibration file needs the "
+                  "columns {} and {}; "
                   "for columns with other names, use --columns FILE",
                   table.source, table.header_line, channel.name,
                   text::suggestion(channel.name, table.header), text::listed(table.header),

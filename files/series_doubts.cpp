@@ -75,12 +75,12 @@ struct Clock {
   }
 
   [[nodiscard]] Doubt looks_like(const text::Unit& unit) const {
-    return {
-        .text = fmt::format("the record has a sampling interval of {} and a duration of {}: is "
-                            "time_s in {} (sampling interval {}, duration {})?",
-                            duration_text(step), duration_text(length), unit.words,
-                            duration_text(unit.factor * step), duration_text(unit.factor * length)),
-        .units = {{&record::time, unit.suffix}}};
+    return {.text = fmt::format(
+                "the record has a sampling interval of {} and a duration of {}: is "
+                "time_s in {} instead of s (then the sampling interval is {} and the duration {})?",
+                duration_text(step), duration_text(length), unit.words,
+                duration_text(unit.factor * step), duration_text(unit.factor * length)),
+            .units = {{&record::time, unit.suffix}}};
   }
 };
 
@@ -217,8 +217,8 @@ std::vector<const text::Unit*> other_units_of_spindle(const Record& data, const 
 Doubt other_unit_of_spindle(const Record& data, const Channel& channel, const text::Unit& unit) {
   if (channel == record::time) return Clock(data).looks_like(unit);
   const double fastest = extent_of(data.values(channel)).upper;
-  return {.text = fmt::format("speeds up to {:.4g} rpm do not agree with the readings, but {:.4g} "
-                              "rpm do: are the values in {} instead of rpm?",
+  return {.text = fmt::format("speeds up to {:.4g} rpm do not agree with the readings, but speeds "
+                              "up to {:.4g} rpm do: are the values in {} instead of rpm?",
                               channel.in_unit(fastest),
                               channel.in_unit(unit.to_SI(channel.in_unit(fastest))), unit.words),
           .units = {{&channel, unit.suffix}}};
@@ -318,7 +318,7 @@ void look_at_displacements(const Record& data, std::vector<Doubt>& found) {
     if (!likely) continue;
     found.push_back(
         {.text = fmt::format("{} changes by {:.3g} {} for each kelvin of the temperature that "
-                             "changes most: are the values in {} ({:.3g} {}/K)?",
+                             "changes most: are the values in {} (then the change is {:.3g} {}/K)?",
                              c.channel->name, rate / um, c.channel->unit, likely->words,
                              rate_in(*likely) / um, c.channel->unit),
          .units = {{c.channel, likely->suffix}}});

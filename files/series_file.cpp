@@ -167,14 +167,14 @@ class SeriesReader {
     kept_ = kept_columns(table_, found_.others);
     unknown_ = kept_.statements(!map.rules.empty());
     if (!unknown_.empty() && map.rules.empty())
-      unknown_.back() +=
-          fmt::format(" (a record {})",
-                      of_spindle_ ? "of a spindle has " + text::listed(known)
-                                  : "over time has NAME_temperature_C, NAME_feed_m_min, "
-                                    "NAME_speed_rpm, NAME_position_mm, NAME_current_A, "
-                                    "NAME_voltage_V, NAME in W, N, Nm, l_min, bar or percent, "
-                                    "coolant_on, displacement_NAME_um, displacement_NAME_urad, "
-                                    "offset_NAME_um, offset_NAME_urad");
+      unknown_.back() += fmt::format(
+          " (a record {})",
+          of_spindle_ ? "of a spindle can have the columns " + text::listed(known)
+                      : "over time can have the columns NAME_temperature_C, NAME_feed_m_min, "
+                        "NAME_speed_rpm, NAME_position_mm, NAME_current_A, "
+                        "NAME_voltage_V, NAME in W, N, Nm, l_min, bar or percent, "
+                        "coolant_on, displacement_NAME_um, displacement_NAME_urad, "
+                        "offset_NAME_um, offset_NAME_urad");
   }
 
   void set_constant(const Recognised::Constant& constant, Record& result) {
@@ -206,8 +206,8 @@ class SeriesReader {
     append(list, notes_of(record::note::filled_in, constants_));
     append(list, notes_of(record::note::unused, unknown_));
     if (!unused_.empty())
-      list.push_back(record::note::unused("not used, because not predicted by the model: " +
-                                          text::listed(unused_)));
+      list.push_back(record::note::unused(
+          "columns not used, because the model does not predict them: " + text::listed(unused_)));
     return list;
   }
 
@@ -343,7 +343,7 @@ void fill_inputs(Record& record, const Channels& needed, bool of_spindle) {
     }
     if (!filled.empty.empty())
       record.notes.push_back(
-          record::note::left_out(fmt::format("rows before the first value of {} are not used, {}",
+          record::note::left_out(fmt::format("rows before the first value of {} are not used: {}",
                                              channel->name, rows_text(record, filled.empty)),
                                  place));
     for (const std::size_t row : filled.empty) empty[row] = true;
@@ -473,8 +473,9 @@ class SeriesOfFiles {
       if (result.has(c)) {
         if (c.role == Role::kept) continue;
         throw text::InputError(
-            fmt::format("{}: {} is also in another of these files; keep one column", part.source,
-                        c.name),
+            fmt::format(
+                "{}: column {} is also in another of the joined files; keep it in one file only",
+                part.source, c.name),
             {.file = part.source, .key = std::string(c.name)});
       }
       std::vector<double> values(times_.size(), unset);
@@ -529,11 +530,11 @@ class SeriesOfFiles {
       begin = std::max(begin, part.values(record::time).front());
       const double last = part.values(record::time).back();
       if (last < times_.back() && is_log_of_changes(part))
-        record.notes.push_back(
-            record::note::filled_in(fmt::format("{} has a row for each change: its last row, at "
-                                                "{:.6g} s, applies to the end of the record",
-                                                part.source, last),
-                                    {.file = part.source, .key = "time_s"}));
+        record.notes.push_back(record::note::filled_in(
+            fmt::format("{} has one row for each change of a setting: its last row, at "
+                        "{:.6g} s, applies until the end of the record",
+                        part.source, last),
+            {.file = part.source, .key = "time_s"}));
       else
         end = std::min(end, last);
     }
@@ -547,9 +548,10 @@ class SeriesOfFiles {
                              {.file = record.source, .key = "time_s"});
     if (rows.size() == record.rows()) return record;
     record.notes.push_back(record::note::left_out(
-        fmt::format("{} rows before {:.6g} s or after {:.6g} s are not used, because one of these "
-                    "files does not cover this time",
-                    record.rows() - rows.size(), begin, end),
+        fmt::format(
+            "{} rows before {:.6g} s or after {:.6g} s are not used, because one of the joined "
+            "files does not cover this time",
+            record.rows() - rows.size(), begin, end),
         {.file = record.source}));
     return record.picked(rows);
   }

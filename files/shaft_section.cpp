@@ -269,7 +269,7 @@ class ShaftReader {
     if (!(apart > 0.0))
       s_.fail(rear_position,
               fmt::format("{} = {}: the middle of the rear set must be further from the nose than "
-                          "the middle of {}",
+                          "the middle of the front set ({})",
                           rear_position, text::shown(*s_.find(rear_position)), front_position));
     constexpr double rounding_mm = 1e-6;
     if (const auto given = s_.number("distance_mm");

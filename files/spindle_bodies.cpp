@@ -66,8 +66,8 @@ constexpr Key shaft_segment_keys[]{
     {"diameter_mm", between(0.1, 5000, "mm"), is_required, "outer diameter"},
     {"bore_mm", between(0, 5000, "mm"), "bore_mm of [shaft]", "bore of this segment"},
     {"material", a_text, "material data of [shaft]",
-     "material: \"steel\", \"cast-iron\" or a table [material.NAME] with conductivity and heat "
-     "capacity"},
+     "material: \"steel\", \"cast-iron\" or a table [material.NAME] with all material data of "
+     "[shaft]"},
 };
 constexpr Key shaft_disk_keys[]{
     {"position_mm", anywhere, is_required, "distance of the disk behind the nose face"},
@@ -111,8 +111,8 @@ constexpr Key housing_segment_keys[]{
     {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings",
      "bore of this segment"},
     {"material", a_text, "material data of [housing]",
-     "material: \"steel\", \"cast-iron\" or a table [material.NAME] with conductivity and heat "
-     "capacity"},
+     "material: \"steel\", \"cast-iron\" or a table [material.NAME] with all material data of "
+     "[housing]"},
 };
 
 constexpr model::Seat usual_seat;

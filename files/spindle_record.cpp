@@ -73,8 +73,8 @@ record::Record read_spindle_record(const Source& source, const model::Spindle& s
   if (!options.columns.settings_hold && settings_change(record))
     record.notes.push_back(record::note::assumed(
         "the program assumes that the settings of a row apply from the previous row to this row; "
-        "set settings_hold = \"until row\" in [columns] to confirm this, or \"from row\" for a "
-        "programme of events",
+        "set settings_hold = \"until row\" in [columns] to confirm this, or \"from row\" if the "
+        "settings of a row apply until the next row",
         {.key = "settings_hold"}));
   refuse_loads(record, spindle);
   require_power(record, spindle);

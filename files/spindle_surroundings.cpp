@@ -99,10 +99,10 @@ const Key heat_keys[]{
      "place of the heat source: shaft, housing, motor (shaft and housing between the sets), pulley "
      "(shaft behind the last bearing), seal (shaft before the first bearing), or a bearing such as "
      "front_1 or rear_1"},
-    {"position_mm", anywhere, "from the key at",
+    {"position_mm", anywhere, "from the key \"at\"",
      "distance of the middle of the heated part behind the nose face; required for shaft and "
      "housing, and with length_mm"},
-    {"length_mm", between(0.1, longest_mm, "mm"), "from the key at",
+    {"length_mm", between(0.1, longest_mm, "mm"), "from the key \"at\"",
      "length of the heated part; required for shaft and housing, and with position_mm"},
     {"radius_mm", between(0, 5000, "mm"), "all cells from bore to surface",
      "radius of the heated cells of shaft or housing"},
@@ -361,7 +361,8 @@ std::vector<model::Circuit> read_circuits(ModelTables& tables, const model::Cool
     };
     if (!names_a_column(*name)) fail("must be letters, digits and _");
     for (const char* taken : {"coolant", "air", "machine"})
-      if (*name == taken) fail("raceway already has a column heat_to_NAME_W; choose another name");
+      if (*name == taken)
+        fail("raceway already has a column heat_to_NAME_W with this name; choose another name");
     for (const model::Circuit& other : list)
       if (other.name == *name) fail("another circuit has this name; choose another name");
     const std::string address = fmt::format("coolant.circuit[{}]", list.size());

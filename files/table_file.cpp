@@ -31,7 +31,9 @@ SolveStatus status_of(std::string_view text, const text::Place& place) {
         SolveStatus::iteration_limit, SolveStatus::singular, SolveStatus::not_finite})
     if (bearing::name(status) == text) return status;
   throw text::InputError(
-      fmt::format("{}: status = {}: is unknown", place.text(), text::quoted(text)), place);
+      fmt::format("{}: status = {}: must be a solver status, such as converged or no_equilibrium",
+                  place.text(), text::quoted(text)),
+      place);
 }
 
 std::string shown(const bearing::OperatingPoint& point) {
@@ -111,7 +113,7 @@ std::string stranger(const SlabFile& a, const SlabFile& b) {
         b.count);
   if (a.of != b.of || a.grid != b.grid) return "they have different speeds, loads or temperatures";
   if (a.head != b.head)
-    return "they come from different models or versions, or have different columns";
+    return "they come from different models or versions of raceway, or have different columns";
   return {};
 }
 
@@ -145,7 +147,7 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
     size += file.rows.size();
   }
   if (files.size() < first.count)
-    throw text::InputError(fmt::format("{} of {} slabs are missing: the first is {}/{}",
+    throw text::InputError(fmt::format("missing slabs: {} of {}; the first is {}/{}",
                                        first.count - files.size(), first.count, next, first.count));
   if (points != first.of)
     throw text::InputError(

@@ -431,7 +431,7 @@ std::string Averaged::statement() const {
   text += fmt::format(": the program averages the {} of consecutive rows at equal settings",
                       fmt::join(words, ", "));
   if (split > 0)
-    text += fmt::format("; {} dwell{} divided where the temperature changed by 1 K", split,
+    text += fmt::format("; {} dwell{} divided where a temperature changed by more than 1 K", split,
                         split == 1 ? " is" : "s are");
   if (correlation_time > 0.0)
     text += fmt::format("; the scatter within a dwell has a correlation time of {:.2g} s",

@@ -267,7 +267,9 @@ std::vector<OtherBase> SeveralRecords::other_bases() const {
     for (const std::string& own : own_)
       if (std::none_of(known.begin(), known.end(),
                        [&](const Parameter& p) { return p.name == own; }))
-        base.lacks = own + " as a parameter, because the fit gives each record its own value";
+        base.lacks =
+            own +
+            " as a parameter, because the fit gives each record its own value of this parameter";
     base.subject =
         base.lacks.empty() ? std::shared_ptr<const Subject>(with_model(base.subject)) : nullptr;
   }

@@ -249,18 +249,18 @@ void Judge::add_speeds(Findings& findings) const {
   if (catalogue_.points > 0)
     findings.push_back(finding_of(
         limits::catalogue_speed, catalogue_, rpm,
-        fmt::format("{}{:.6g} rpm is above {:.6g} rpm, the speed limit of the catalogue with {} "
-                    "for one bearing with spring preload; rigid sets have a lower limit",
+        fmt::format("{}{:.6g} rpm is above {:.6g} rpm, the catalogue limit for {} lubrication and "
+                    "one bearing with spring preload; rigid sets have a lower limit",
                     catalogue_.place.empty() ? "" : catalogue_.place + ": ",
                     catalogue_.point.speed / rpm, catalogue_.limit / rpm, lubrication(*model_))));
   if (speed_factor_.points > 0)
-    findings.push_back(
-        finding_of(limits::speed_factor, speed_factor_, 1.0,
-                   fmt::format("{}the speed factor n d_m of {:.3g} mm/min is above {:.3g} mm/min, "
-                               "the limit of the fastest bearings of the catalogue with {}: the "
-                               "friction law is far outside the range of its measurements",
-                               before(speed_factor_), speed_factor_.value, speed_factor_.limit,
-                               lubrication(*model_))));
+    findings.push_back(finding_of(
+        limits::speed_factor, speed_factor_, 1.0,
+        fmt::format("{}the speed factor n d_m of {:.3g} mm/min is above {:.3g} mm/min, "
+                    "the limit of the fastest bearings of the catalogue with {} "
+                    "lubrication: the friction law is far outside the range of its measurements",
+                    before(speed_factor_), speed_factor_.value, speed_factor_.limit,
+                    lubrication(*model_))));
 }
 
 void Judge::add_heat(Findings& findings) const {

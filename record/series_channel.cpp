@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view position_kind = "position", angle_kind = "angle";
 constexpr double urad = 1e-6;  // [rad]
-static_assert(urad == um, "in_unit_of() changes only names");
+static_assert(urad == um, "in_unit_of() changes the unit in a name, but not the value");
 
 /// Columns of one kind: a name between `begin` and `end`, which ends in `unit`.
 struct Family {

@@ -386,8 +386,9 @@ std::string deflection_text(const spindle::Beam& beam, const DeflectionResult& r
                             std::string_view source, std::string_view model_text) {
   fmt::memory_buffer out;
   head(out,
-       fmt::format("Bending line of the shaft under {} at {:.6g} mm, {:.6g} rpm", load_words(r),
-                   r.at / mm, r.speed / rpm),
+       fmt::format(
+           "Bending line of the shaft under {} at {:.6g} mm behind the nose face, {:.6g} rpm",
+           load_words(r), r.at / mm, r.speed / rpm),
        source, model_text);
   fmt::format_to(std::back_inserter(out), "position_mm,radial_displacement_um,slope_urad\n");
   for (std::size_t node = 0; r.converged() && node < beam.nodes().size(); ++node) {

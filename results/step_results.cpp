@@ -105,14 +105,15 @@ text::json step_power_json(const spindle::PowerLaw& law, const char* unit, doubl
 std::string step_responses_text(const spindle::StepResponses& responses, std::string_view source,
                                 std::string_view model_text) {
   fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out),
-                 "# Step responses from rest, of {}\n# raceway {}\n# u = kinematic + K (1 - "
-                 "exp(-t/T)); K and T are for the power at the end of the step\n",
-                 text::printable(source), RACEWAY_VERSION);
+  fmt::format_to(
+      std::back_inserter(out),
+      "# Step responses from rest, of {}\n# raceway {}\n# displacement u = kinematic + K (1 - "
+      "exp(-t/T)) after the time t; K and T belong to the power at the end of the step\n",
+      text::printable(source), RACEWAY_VERSION);
   if (!responses.loads.empty())
-    out.append(
-        std::string_view("# Rows with a load: steps of this load from the steady state; kinematic "
-                         "is the immediate part\n"));
+    out.append(std::string_view(
+        "# Rows with a load: steps of this load from the steady state; the column kinematic "
+        "contains the immediate displacement\n"));
   if (!model_text.empty()) text::append_model(out, model_text);
   const bool with_name = steps_were_read(responses);
   std::vector<StepColumn> columns(std::begin(step_columns), std::end(step_columns));

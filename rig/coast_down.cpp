@@ -33,9 +33,10 @@ std::string places_text(const record::Record& record, const std::vector<std::siz
 
 void check(const record::Record& record, const model::Rig& rig, const CoastDownOptions& options) {
   if (!(rig.inertia > 0.0) || !std::isfinite(rig.inertia))
-    throw std::invalid_argument(fmt::format(
-        "inertia = {} kg m2: must be above 0; the torque of a coast-down is M = -J dw/dt",
-        rig.inertia));
+    throw std::invalid_argument(
+        fmt::format("inertia = {} kg m2: must be above 0; the torque of a coast-down is M = -J "
+                    "dw/dt (J: inertia, w: angular speed)",
+                    rig.inertia));
   if (options.windows < 1 || options.fewest_samples < 5 ||
       !(options.largest_fall > 0.0 && options.largest_fall < 1.0))
     throw std::invalid_argument(
@@ -254,7 +255,8 @@ class RunRegression {
     if (deviations.empty()) return;
     summary_.torque_std = record::median(deviations);
     note(
-        "{} torques from {} speed samples by local regression, M = -J dw/dt with J = {:.6g} kg m2; "
+        "{} torques from {} speed samples by local regression, M = -J dw/dt with the angular speed "
+        "w and the inertia J = {:.6g} kg m2; "
         "median standard deviation of the torques {:.3g} N mm (noise of the speed {:.3g} rpm{})",
         summary_.rows, summary_.samples, rig_.inertia, summary_.torque_std / N_mm, noise.std / rpm,
         noise.correlation > 0.0

@@ -72,7 +72,7 @@ void check(const record::Record& record, std::span<const Fall> falls, const mode
   if (!(rig.inertia > 0.0) || !std::isfinite(rig.inertia))
     throw std::invalid_argument(
         fmt::format("inertia = {} kg m2: must be above 0; the torque from the time between two "
-                    "speeds is M = J (w1 - w2)/t",
+                    "speeds is M = J (w1 - w2)/t (J: inertia, w1, w2: angular speeds, t: time)",
                     rig.inertia));
   if (falls.size() != record.rows())
     throw std::invalid_argument(fmt::format(
@@ -131,7 +131,7 @@ record::Record fall_torque(const record::Record& record, std::span<const Fall> f
   result.notes.push_back(record::note::read_as(fmt::format(
       "{} torques from the times between two speeds, M = J (w1 - w2)/t with J = {:.6g} "
       "kg m2; the speed of each torque is the speed at which the shaft had this torque, "
-      "calculated with M ~ n^p, p = {:.2f} to {:.2f}",
+      "calculated with M ~ n^p (n: speed), p = {:.2f} to {:.2f}",
       falls.size(), rig.inertia, lowest, highest)));
   return result;
 }

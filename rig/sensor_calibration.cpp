@@ -208,7 +208,7 @@ class Calibrator {
     if (!(p < sensor_significance)) return;
     result_.warnings.push_back(record::note::misfit(
         fmt::format("a {} differs from the readings by up to {:.3g} V, {:.2g} % of the signal "
-                    "range, which is not by chance ({}): use --degree {}",
+                    "range, more than chance explains ({}): use --degree {}",
                     degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
                     chance(p), best_)));
   }
@@ -296,7 +296,8 @@ class Calibrator {
       result_.warnings.push_back(record::note::misfit(fmt::format(
           "hysteresis: the signal at falling torque differs from the signal at rising torque by "
           "{:+.3g} V on average and by {:+.3g} V ({:.2g} % of the signal range) at {:.4g} N m "
-          "({}); the curve is in the middle, and the scatter includes half of the difference",
+          "({}); the curve lies midway between rising and falling signal, and the scatter includes "
+          "half of the difference",
           h.mean, h.largest, percent(h.largest), h.largest_at, chance(h.p_value))));
   }
 

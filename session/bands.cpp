@@ -34,15 +34,17 @@ model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                     std::string_view remedy) {
   if (!file.model.covariance)
     throw text::InputError(
-        fmt::format("{}: {} has no [calibration.covariance] for its present values; {}", asked_by,
-                    file.source, remedy),
+        fmt::format(
+            "{}: {} has no [calibration.covariance] for the present values of its parameters; {}",
+            asked_by, file.source, remedy),
         {.file = file.source, .key = "calibration.covariance"});
   return model::Band(file.model);
 }
 
 std::string band_statement(const model::Band& band) {
   return fmt::format(
-      "95 % band from the fitted {} only; it does not include missing effects or noise",
+      "95 % band from the uncertainty of the fitted {} only; it does not include missing effects "
+      "or noise",
       text::listed(band.fitted()));
 }
 

@@ -142,8 +142,8 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
         "separately");
   if (data.parts.empty() && !own.empty())
     fail(
-        fmt::format(" {}: {} is a single record, so all its parameters are separate; name at least "
-                    "two files of measurements",
+        fmt::format(" {}: {} is the only record, but --per-record needs several records; name at "
+                    "least two files of measurements",
                     fmt::join(own, ","), data.source));
   const std::shared_ptr<const fit::Subject> alone = files::make_subject(model, data);
   if (model.spindle || data.parts.empty()) return alone;
@@ -326,8 +326,8 @@ class BearingInLoop final : public LoopModel {
           first.source));
     if (file_.sensor && !(first.sensor && rig::same_torques(*file_.sensor, *first.sensor)))
       warn(
-          fmt::format("[torque_sensor] differs from [torque_sensor] of {0}; the data are read with "
-                      "the table of {0}",
+          fmt::format("[torque_sensor] differs from [torque_sensor] of {0}; the program converts "
+                      "all torque signals with [torque_sensor] of {0}",
                       first.source));
   }
 

@@ -84,8 +84,9 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
         axial, least));
   if (const auto& c = prediction.contacts; c && c->holding_over_traction > 1.0)
     notes.push_back(fmt::format(
-        "the gyroscopic moment needs a friction force of {:.3g} times the contact load, which is "
-        "{:.3g} times the friction force of film and asperities, so the balls slip; race_control = "
+        "the gyroscopic moment requires a friction force of {:.3g} times the contact load. This is "
+        "{:.3g} times the friction force that film and asperities can provide, so the balls slip; "
+        "race_control = "
         "\"balanced\" gives the correct contact angles and displacement (docs/race-control.md)",
         c->holding_coefficient, c->holding_over_traction));
   const model::BearingLife life = bearing_life(model, point, prediction);

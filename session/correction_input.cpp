@@ -122,7 +122,7 @@ std::string note_of(const correction::Beyond::Part& p, const record::Record& rec
   const auto shown = [&](double v) { return number(p.column ? p.column->in_unit(v) : v, 5); };
   return fmt::format(
       "{}: from {} on, {}, the input is outside the training data of {} to {} {}: {} in the first "
-      "of these rows, {} at the largest distance",
+      "of these rows, {} in the row farthest outside",
       p.column ? p.name : p.name + " power_W", when(record, p.first), share, shown(p.lower),
       shown(p.upper), p.column ? std::string(p.column->unit) : "W", shown(p.value),
       shown(p.farthest));

@@ -224,7 +224,7 @@ ArxModels::Text ArxModels::text() const {
     if (!best)
       throw text::InputError(
           fmt::format("{}: ARX of {}: no order is stable, so the simulation grows without limit. "
-                      "Sections (without --baseline) are always stable",
+                      "Omit --baseline: identify then fits sections, which are always stable",
                       asked.data.source, displacement->name),
           {.file = asked.data.source, .key = "--baseline"});
     models.push_back(correction::with_arx(asked.file.models[k], baseline, *best));

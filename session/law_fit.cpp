@@ -15,8 +15,8 @@ std::optional<results::LawAtSpeed> law_at(double speed_rpm, const shaft::Kinemat
   if (std::isnan(speed_rpm)) return std::nullopt;
   const results::LawAtSpeed at{speed_rpm * rpm, evaluate(law, speed_rpm * rpm)};
   if (!at.value.inside)
-    throw text::InputError(fmt::format("--at = {:.10g} rpm: the law is only valid within the "
-                                       "speeds of the rows, {:.10g} to {:.10g} rpm",
+    throw text::InputError(fmt::format("--at = {:.10g} rpm: the law is valid only within the "
+                                       "speeds of the displacement curve, {:.10g} to {:.10g} rpm",
                                        speed_rpm, law.lowest_speed / rpm, law.highest_speed / rpm),
                            {.key = "--at"});
   return at;

@@ -16,8 +16,9 @@ std::string law_statement(const shaft::KinematicLawFit& f, const std::string& ta
   const std::string share =
       fmt::format("{:.4g} % of the largest displacement", 100.0 * shaft::kinematic_law_share);
   if (f.verdict == KinematicLawVerdict::follows)
-    return fmt::format("The law follows the curve: its mean absolute error is within {}, and {}.",
-                       tolerance, share);
+    return fmt::format(
+        "The law follows the curve: its mean absolute error is within both {} and {}.", tolerance,
+        share);
   const std::string& limit = f.mae > shaft::kinematic_law_tolerance ? tolerance : share;
   if (f.verdict == KinematicLawVerdict::scatter)
     return fmt::format(

@@ -20,7 +20,7 @@ friction::FrictionLaw wanted_law(const NewModel& wanted) {
   using friction::FrictionLaw;
   if (wanted.law == friction::name(FrictionLaw::table))
     throw text::InputError(
-        "raceway new: the law table needs a friction table; create the model with another law, "
+        "raceway new: law = \"table\" needs a friction table; create the model with another law, "
         "then write law = \"table\" and file = \"TABLE.csv\" under [friction]",
         {.key = "--law"});
   return friction::find_friction_law(wanted.law)
@@ -42,7 +42,7 @@ std::string new_roller_model(Messages& messages, const NewModel& wanted, bool de
   const files::EstimatedRollers rollers = files::estimated_rollers(wanted.bearing);
   messages.say(record::note::assumed(
       wanted.bearing +
-          " is a cylindrical roller bearing: its rollers are estimated and marked in the "
+          " is a cylindrical roller bearing: its roller data are estimated and marked in the "
           "model",
       {.key = "bearing"}));
   return files::estimated_model_text(

@@ -56,11 +56,12 @@ files::ModelFile open_model(Messages& messages, const Source& source, Accepts ac
     }
   }();
   if (file.model.shaft && accepts == Accepts::rig)
-    throw text::InputError(path +
-                               ": the model has an [arrangement], but this command needs a single "
-                               "bearing on a rig. For a shaft, use displacement, solve, table, "
-                               "sensitivity, check, compare, diagnose, add, or calibrate with data",
-                           {.file = path, .key = "arrangement"});
+    throw text::InputError(
+        path +
+            ": the model has an [arrangement], but this command needs a single "
+            "bearing on a rig. For a shaft, use the commands displacement, solve, table, "
+            "sensitivity, check, compare, diagnose, add, or calibrate with data",
+        {.file = path, .key = "arrangement"});
   if (accepts == Accepts::shaft) require_shaft(file);
   for (const files::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;

@@ -43,10 +43,10 @@ std::vector<std::string> notes_on_rollers(const bearing::RollerBearing& b,
                     "ends are overloaded",
                     tilt / mrad, bearing::usual_tilt_limit / mrad));
   if (speed > 0.0 && !e.loose && e.clearance >= 0.0 && radial < least_load_share * C)
-    notes.push_back(
-        fmt::format("the radial load of {:.4g} N is below the minimum load of {:.4g} N = {:g} C, "
-                    "and the bearing has no preload: rollers may skid",
-                    radial, least_load_share * C, least_load_share));
+    notes.push_back(fmt::format(
+        "the radial load of {:.4g} N is below the minimum load of {:.4g} N ({:g} "
+        "times the dynamic load rating C), and the bearing has no preload: rollers may skid",
+        radial, least_load_share * C, least_load_share));
   const bearing::ContactPressure pressure = largest_pressure(b, e);
   const double most = std::fmax(pressure.inner, pressure.outer);
   if (most > bearing::static_limit_pressure_of_lines)

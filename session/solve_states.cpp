@@ -213,15 +213,16 @@ std::string beyond_a_state(const effects::Description& effect) {
 
 void require_rig(const files::ModelFile& file) {
   if (file.model.shaft)
-    throw text::InputError(
-        file.source + ": the model has an [arrangement]; a reading needs a single bearing on a rig",
-        {.file = file.source, .key = "arrangement"});
+    throw text::InputError(file.source +
+                               ": the model has an [arrangement]; readings can be predicted only "
+                               "for a single bearing on a rig",
+                           {.file = file.source, .key = "arrangement"});
   for (const effects::Effect& effect : file.model.effects)
     if (const std::string more = beyond_a_state(*effect.description); !more.empty())
-      throw text::InputError(
-          fmt::format("{}: the effect {} needs {}, but a single state does not have this",
-                      file.source, effect.description->id, more),
-          {.file = file.source, .key = std::string(effect.description->id)});
+      throw text::InputError(fmt::format("{}: the effect {} needs {}, but a state has only speed, "
+                                         "loads, moments and temperature",
+                                         file.source, effect.description->id, more),
+                             {.file = file.source, .key = std::string(effect.description->id)});
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ std::vector<std::string> SpindleDeflection::notes() const {
     lines.push_back(std::move(unused));
   if (result.axial && result.at != 0.0)
     lines.emplace_back(
-        "the position of an axial force has no effect, because the shaft is a beam on its axis");
+        "the position of an axial force has no effect, because the force acts along the axis of "
+        "the shaft");
   lines.emplace_back(
       "the housing is assumed to be rigid: these displacements do not include its deflection");
   return lines;

@@ -66,9 +66,10 @@ void add_kinematic_law(const std::vector<shaft::DisplacementPoint>& curve, StepP
     }
     parts.kinematic = fit.law;
     if (fit.verdict != shaft::KinematicLawVerdict::follows)
-      parts.notes.push_back(fmt::format(
-          "the kinematic law does not follow these bearing sets: its largest error is {:.3g} um",
-          fit.max_abs / um));
+      parts.notes.push_back(
+          fmt::format("the kinematic law does not follow the displacement curve: its largest error "
+                      "is {:.3g} um",
+                      fit.max_abs / um));
   } catch (const std::invalid_argument& e) {
     parts.notes.push_back(fmt::format(
         "no kinematic law was fitted: {}; the correction has no kinematic displacement", e.what()));

@@ -84,13 +84,14 @@ LawRange checked(const KinematicLawBounds& bounds, double n_max) {
   if (std::isnan(r.lower_C)) r.lower_C = gentlest / n_max;
   if (std::isnan(r.upper_C)) r.upper_C = sharpest / n_max;
   if (!(std::isfinite(r.lower_B) && r.lower_B < r.upper_B && r.upper_B <= 1.0))
-    throw std::invalid_argument(fmt::format(
-        "bounds of B from {} to {}: the upper bound must be above the lower bound and at most 1",
-        r.lower_B, r.upper_B));
+    throw std::invalid_argument(
+        fmt::format("bounds of B in the kinematic law, from {} to {}: the upper bound must be "
+                    "above the lower bound and at most 1",
+                    r.lower_B, r.upper_B));
   if (!(r.lower_C > 0.0 && r.lower_C < r.upper_C && std::isfinite(r.upper_C)))
     throw std::invalid_argument(
-        fmt::format("bounds of C from {} to {} 1/rpm: the lower bound must be above 0, and the "
-                    "upper bound above the lower bound",
+        fmt::format("bounds of C in the kinematic law, from {} to {} 1/rpm: the lower bound must "
+                    "be above 0, and the upper bound above the lower bound",
                     r.lower_C, r.upper_C));
   return r;
 }

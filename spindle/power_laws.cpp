@@ -127,7 +127,7 @@ double PowerLaw::operator()(double power) const { return factor * std::pow(power
 MonotoneCurve::MonotoneCurve(std::vector<double> x, std::vector<double> y)
     : x_(std::move(x)), y_(std::move(y)), slope_(x_.size(), 0.0) {
   if (x_.empty() || x_.size() != y_.size())
-    throw std::invalid_argument("a curve needs as many values as points, and at least one point");
+    throw std::invalid_argument("a curve needs one value for each point, and at least one point");
   if (std::adjacent_find(x_.begin(), x_.end(), std::greater_equal<>()) != x_.end())
     throw std::invalid_argument(
         "the points of a curve must be in ascending order, without duplicates");

@@ -189,7 +189,8 @@ std::vector<double> fit_decay(std::span<const double> time, std::span<const doub
                               std::span<const double> gains) {
   check_step(time, displacement);
   if (gains.empty() || gains.size() > 2)
-    throw std::invalid_argument("gains: give one or two, one for each lag of the decay");
+    throw std::invalid_argument(
+        "gains: give one gain for each lag of the decay, which has one or two lags");
   const Eigen::Map<const Eigen::VectorXd> t(time.data(), static_cast<Eigen::Index>(time.size())),
       u(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
   const auto [lower, upper] = log_bounds(time);

@@ -413,7 +413,7 @@ void CsvParser::add_notes() {
     notes.push_back(fmt::format("line {} is a row of units", form_.unit_line));
   if (headers_again_ > 0)
     notes.push_back(
-        fmt::format("the header occurs {} more in the file; the program skips these lines",
+        fmt::format("the header occurs {} more in the file; the program skips each repetition",
                     headers_again_ == 1 ? "once" : fmt::format("{} times", headers_again_)));
   if (lines_between_ > 0)
     notes.push_back(fmt::format("the program skips {} between the rows and the repeated header",

@@ -434,11 +434,11 @@ class Inquiry {
       if (is_worth_its_column(*column, least) &&
           std::all_of(near.begin(), near.end(), [](const Tried* t) { return t->is_wrong_data(); }))
         return false;
-      result_.messages.push_back(record::note::plan(
-          fmt::format("{} explains the displacement better than the effects of the catalogue "
-                      "(error {}), but no mechanism is known for this column. Is the sensor of "
-                      "this column on the part that moves?",
-                      column->ids().front(), error(*column))));
+      result_.messages.push_back(record::note::plan(fmt::format(
+          "{} explains the displacement better than the effects of the catalogue "
+          "(held-out error {}), but no mechanism is known for this column. Is the sensor of "
+          "this column on the part that moves?",
+          column->ids().front(), error(*column))));
     }
     found_ = std::move(near);
     result_.verdict = found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;
@@ -746,22 +746,23 @@ class Inquiry {
           if (!next && t.kinds().front() != best.kinds().front() &&
               (best.has_column() || !t.has_column()))
             next = &t;
-        return fmt::format("Consistent with {}: {}; with this explanation the error is {}{}.",
-                           found_text(), base, error(best),
-                           next ? fmt::format(", next best {} with an error of {}",
-                                              next->ids().front(), error(*next))
-                                : "");
+        return fmt::format(
+            "Consistent with {}: {}; with this explanation the held-out error is {}{}.",
+            found_text(), base, error(best),
+            next ? fmt::format(", next best {} with a held-out error of {}", next->ids().front(),
+                               error(*next))
+                 : "");
       }
       case verdict::Verdict::ambiguous:
         return fmt::format(
-            "{}: {}; with {} the error is {}. These explanations are nearly equally good, so this "
-            "record does not decide between them.",
+            "{}: {}; with {} the held-out error is {}. These explanations are nearly equally good, "
+            "so this record does not decide between them.",
             found_text(), base, verdict::joined(found_.front()->ids(), "and"),
             error(*found_.front()));
       case verdict::Verdict::several_effects:
         return fmt::format(
             "Consistent with {}: {}; no single effect reaches the tolerance (best: {}, {}), but "
-            "with these effects together the error is {}.",
+            "with these effects together the held-out error is {}.",
             found_text(), base, singles_.front().ids().front(), error(singles_.front()),
             error(*found_.front()));
       case verdict::Verdict::effect_like:
@@ -776,7 +777,7 @@ class Inquiry {
         "An effect is missing that is not in the catalogue: {}{}.{}", base,
         singles_.empty()
             ? ""
-            : fmt::format("; the best effect of the catalogue, {}, leaves an error of {}",
+            : fmt::format("; the best effect of the catalogue, {}, leaves a held-out error of {}",
                           singles_.front().ids().front(), error(singles_.front())),
         course_text());
   }

@@ -194,8 +194,8 @@ class Addition {
         errors.push_back(fmt::format("{:.4g} -> {}", c.rmse_held_out_before / c.channel().factor,
                                      reading_text(c.channel(), c.rmse_held_out_after, 4)));
       return fmt::format(
-          "not better than chance: RMS error {} on held-out rows; -2 ln L falls by {:.1f} (needed "
-          "{:.1f})",
+          "not better than chance: RMS error {} on held-out rows; -2 ln L (L: likelihood) falls by "
+          "{:.1f} (needed {:.1f})",
           joined(errors, "and"), found_.gain, needed);
     }
     if (const std::string material = immaterial(result); !material.empty()) return material;

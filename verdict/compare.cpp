@@ -242,7 +242,7 @@ std::string where_text(const ErrorRange& range) {
 /// What a tolerance says of the misfit; empty where there is none.
 std::string tolerance_text(const Comparison& c) {
   if (std::isnan(c.tolerance)) return {};
-  return fmt::format(" It {} the tolerance of {:.3g} {}.",
+  return fmt::format(" The RMS misfit {} the tolerance of {:.3g} {}.",
                      c.rmse <= c.tolerance ? "is within" : "exceeds",
                      c.tolerance / c.channel->factor, unit_of_difference(*c.channel));
 }

@@ -98,7 +98,8 @@ std::string Investigation::remains_text() const {
           fmt::format("{:.3g} (tolerance {})",
                       fit::beyond_noise(c.rmse_held_out_after, c.noise.rms) / c.channel().factor,
                       reading_text(c.channel(), c.tolerance)));
-  return fmt::format("the held-out error beyond the noise is {}", joined(errors, "and"));
+  return fmt::format("the part of the held-out error that the noise does not explain is {}",
+                     joined(errors, "and"));
 }
 
 /// Which of some explanations would be wrong data, and where to look first.
@@ -194,7 +195,8 @@ std::string Investigation::several_text() const {
       "effect; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
       set.size() > 1
-          ? fmt::format(" {} other combination(s) of effects are equally good.", set.size() - 1)
+          ? fmt::format(" Number of other combinations of effects that are equally good: {}.",
+                        set.size() - 1)
           : "",
       error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
 }

@@ -193,7 +193,7 @@ std::string headline(const Diagnosis& d, Inputs inputs) {
   return (explained ? other_base(d) : by_verdict(d)) +
          (inputs == Inputs::tell_all
               ? ""
-              : "; but rows at nearly the same point have different readings");
+              : "; but rows at nearly equal operating points have different readings");
 }
 
 }  // namespace raceway::verdict

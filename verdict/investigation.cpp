@@ -192,8 +192,8 @@ void Investigation::tell_of_growth() {
     const double least = *std::min_element(values.begin(), values.end());
     const double most = d.noise.largest_swept;
     result_.messages.push_back(record::note::noise(fmt::format(
-        "the scatter of {} grows with {}, from {:.2g} % at {:.4g} {} to {:.2g} % at {:.4g} {}. The "
-        "rows are weighted accordingly",
+        "the scatter of {} grows with {}, from {:.2g} % of the reading at {:.4g} {} to {:.2g} % at "
+        "{:.4g} {}. The rows are weighted accordingly",
         d.channel().words, swept.words,
         100.0 * d.noise.relative * std::pow(least / most, d.noise.growth), swept.in_unit(least),
         swept.unit, 100.0 * d.noise.relative, swept.in_unit(most), swept.unit)));
@@ -219,15 +219,16 @@ void Investigation::describe_base() {
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
     tell(record::note::rows_used(
-        fmt::format("{} row(s) are outliers and have less weight; the first is {}", outliers.size(),
-                    record_.place(outliers.front()))));
+        fmt::format("number of rows that are outliers and have less weight: {}; the first is {}",
+                    outliers.size(), record_.place(outliers.front()))));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
     tell(record::note::rows_used(fmt::format("{} of {} rows were used, chosen at random",
                                              result_.rows, evidence_.rows_in_record)));
   if (left_out > 0)
     tell(record::note::rows_used(
-        fmt::format("{} row(s) without a reading or a prediction are not used; the first is {}",
+        fmt::format("number of rows that are not used, because they have no reading or no "
+                    "prediction: {}; the first is {}",
                     left_out, record_.place(result_.rows_not_predicted.front()))));
   for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
     if (evidence_.base.at_bound[k])
@@ -286,7 +287,7 @@ void Investigation::attribute() {
   for (const Explanation& single : search_->singles())
     if (!single.fit.converged)
       result_.messages.push_back(record::note::not_converged(fmt::format(
-          "the fit with {} {}: it is not used in the verdict", id_of(single),
+          "the fit with {} {}: the verdict does not use this fit", id_of(single),
           single.ran_away ? "diverges to " + size_text(problem_, single) : "did not converge")));
   if (outside_the_inputs()) return;
   const bool by_tolerance = result_.tolerance_limited() && !std::isnan(share_of_tolerance_);

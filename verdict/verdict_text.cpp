@@ -41,7 +41,7 @@ std::string nothing_missing_text(const Diagnosis& d) {
   for (const NotTestable& n : d.not_testable)
     if (hidden.size() < 3) hidden.push_back(n.id);
   return fmt::format(
-      "These data show no missing effect (p = {:.2g}, alarm level 1 %).{}{}", d.p_value,
+      "These data show no missing effect (p = {:.2g}, significance level 1 %).{}{}", d.p_value,
       found.empty() ? ""
                     : " These effects would have been found, each from the given size on: " +
                           joined(found, "and") + ".",
@@ -62,8 +62,8 @@ std::string within_tolerance_text(const Diagnosis& d) {
                                   : fmt::format(" Significant, but within the tolerance: {}.",
                                                 joined(d.significant_but_immaterial, "or"));
   return fmt::format(
-      "No important effect is missing: the held-out error of the refitted model beyond the noise "
-      "is {}.{}",
+      "No important effect is missing: in the held-out error of the refitted model, the part that "
+      "the noise does not explain is {}.{}",
       joined(errors, "and"), certain);
 }
 

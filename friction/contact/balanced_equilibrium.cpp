@@ -159,7 +159,8 @@ bearing::ArrangementEquilibrium solve_balanced_arrangement(
     const bearing::EquilibriumOptions& options, const bearing::ArrangementEquilibrium* neighbour) {
   const auto bearings = arrangement.bearings();
   if (oils.size() != 1 && oils.size() != bearings.size())
-    throw std::invalid_argument("oils: give one for each bearing, or one for all bearings");
+    throw std::invalid_argument(
+        "oils: give one oil state for each bearing, or one for all bearings");
   std::vector<TurningBalls> turning;
   turning.reserve(bearings.size());
   for (std::size_t i = 0; i < bearings.size(); ++i)

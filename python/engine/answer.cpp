@@ -127,7 +127,7 @@ void bind_answer(py::module_& module) {
       .def_property_readonly("own_effects", &own_effects_of)
       .def("page",
            [](const EngineAnswer& a) {
-             return made(a.page, "this result has no page; use compare()");
+             return made(a.page, "this result has no HTML page; the result of compare() has one");
            })
       .def("csv", [](const EngineAnswer& a) { return made(a.csv, "this result has no rows"); })
       .def("rows", [](const EngineAnswer& a) {

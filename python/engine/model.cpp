@@ -181,8 +181,9 @@ void EngineModel::amend(files::ModelFile& file) const {
 
 std::optional<model::Band> EngineModel::band(bool wanted) const {
   if (!wanted) return std::nullopt;
-  return session::band_of(file_, "band",
-                          "calibrate(record).model and add(...).model have this table");
+  return session::band_of(
+      file_, "band",
+      "the models calibrate(record).model and add(...).model have [calibration.covariance]");
 }
 
 std::string EngineModel::kind() const {

@@ -49,7 +49,7 @@ def test_one_state_is_that_of_the_command(fitted, document, tmp_path):
     expected = document("solve", str(path), "--speed", "8000", "--axial-load", "300", "--band")
     assert state.data == expected
     assert float(state.friction_torque_band_Nmm) == expected["friction_torque_band_Nmm"]
-    assert state.notes[0] == "band: 95 % band from the fitted f0 and z only; it does not include missing effects or noise"
+    assert state.notes[0] == "band: 95 % band from the uncertainty of the fitted f0 and z only; it does not include missing effects or noise"
 
 
 def test_many_states_and_a_table_have_the_band_of_each(fitted):

@@ -351,7 +351,7 @@ def test_fit_law(program, root, tmp_path):
     done = subprocess.run([program, "fit-law", str(file), "--at", "5000", "--json"], cwd=root, capture_output=True, text=True, check=True)
     assert law.data == json.loads(done.stdout)
     assert law.table == subprocess.run([program, "fit-law", str(file), "-o", "-"], cwd=root, capture_output=True, text=True, check=True).stdout
-    with pytest.raises(raceway.InputError, match="rpm: the law is only valid within the speeds of the rows,"):
+    with pytest.raises(raceway.InputError, match="rpm: the law is valid only within the speeds of the displacement curve,"):
         raceway.fit_law(raceway.Record.read(file), at_rpm=20000)
 
 

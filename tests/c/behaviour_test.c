@@ -236,9 +236,8 @@ static void a_reading_needs_a_rig_and_nothing_beside_the_state(const char* root)
   CHECK(raceway_predict(drifting, 1, &speed, NULL, NULL, NULL, NULL, &reading, NULL, message,
                         600) == RACEWAY_WRONG_INPUT);
   CHECK_TEXT(message,
-             "my.toml: the effect torque-time-drift needs time_s of every row, but a single state "
-             "does not "
-             "have this");
+             "my.toml: the effect torque-time-drift needs time_s of every row, but a state has "
+             "only speed, loads, moments and temperature");
   raceway_free(drifting);
 }
 

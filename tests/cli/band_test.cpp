@@ -44,7 +44,7 @@ TEST(Band, OfTorqueThatIsLinearInF0IsTheSlopeTimesItsError) {
                 1.959964 * 0.05 * slope(row["speed_rpm"].get<double>()), 1e-4);
   const Result csv = run("table " + model + " --speed 8000 --axial-load 300 --band -o -");
   EXPECT_THAT(csv.out, HasSubstr(",friction_torque_band_Nmm,power_loss_band_W,status\n"));
-  EXPECT_THAT(csv.err, HasSubstr("95 % band from the fitted f0 only"));
+  EXPECT_THAT(csv.err, HasSubstr("95 % band from the uncertainty of the fitted f0 only"));
   EXPECT_THAT(run("table " + model + " --speed 8000 --axial-load 300 --band").out,
               HasSubstr(" +- 22"));
   EXPECT_THAT(run("solve " + model + " --speed 8000 --axial-load 300 --band").out,
@@ -89,7 +89,7 @@ TEST(Band, OfAShaftIsThatOfItsPosition) {
   EXPECT_THAT(run("displacement " + model + " --speed 12000 --band -o -").out,
               HasSubstr("axial_displacement_band_um,friction_torque_band_Nmm,power_loss_band_W,"));
   EXPECT_THAT(run("displacement " + model + " --speed 12000 --band").out,
-              HasSubstr("95 % band from the fitted preload_N only"));
+              HasSubstr("95 % band from the uncertainty of the fitted preload_N only"));
 }
 
 TEST(Band, OfACalibratedModelNeedsNothingElse) {
@@ -118,7 +118,7 @@ TEST(Band, NeedsACalibrationOfTheValuesThatStandInTheModel) {
   const std::string changed =
       scratch.write("c.toml", replaced(model_text, "f0 = 1.5", "f0 = 1.6") + covariance);
   const Result r = run("solve " + changed + at);
-  expect_refused(r, "has no [calibration.covariance] for its present values;");
+  expect_refused(r, "has no [calibration.covariance] for the present values of its parameters;");
   EXPECT_THAT(r.err, HasSubstr("the model has f0 = 1.6"));
   EXPECT_EQ(run("solve " + changed + " --speed 8000 --axial-load 300").status, 0);
 }

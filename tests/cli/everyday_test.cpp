@@ -78,7 +78,7 @@ TEST(Everyday, AnotherBaseLawIsOfferedAndTaken) {
   EXPECT_THAT(found.out, HasSubstr("law = skf explains these data"));
   EXPECT_THAT(found.out, HasSubstr("use it with: raceway add MODEL law:skf"));
   EXPECT_THAT(found.out, HasSubstr("verdict: not-in-catalogue"));
-  EXPECT_THAT(found.out, HasSubstr("given law = skf: nothing-missing"));
+  EXPECT_THAT(found.out, HasSubstr("verdict with law = skf: nothing-missing"));
   const json d = json::parse(run("diagnose " + files_of("law-skf") + " --json").out);
   EXPECT_EQ(d["other_bases"][0]["id"], "law:skf");
   EXPECT_TRUE(d["other_bases"][0]["explains"]);

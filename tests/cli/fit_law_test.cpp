@@ -89,9 +89,9 @@ TEST(FitLaw, OfComputedSpindlesReturnsTheIndependentNumbers) {
 TEST(FitLaw, IsNotExtrapolated) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("u.csv", curve(published));
-  expect_refused(
-      run("fit-law " + file + " --at 10001"),
-      "--at = 10001 rpm: the law is only valid within the speeds of the rows, 0 to 10000 rpm");
+  expect_refused(run("fit-law " + file + " --at 10001"),
+                 "--at = 10001 rpm: the law is valid only within the speeds of the displacement "
+                 "curve, 0 to 10000 rpm");
 }
 
 TEST(FitLaw, OffersAMonotoneTableWhereTheLawIsTooStiff) {

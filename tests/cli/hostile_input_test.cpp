@@ -50,7 +50,7 @@ TEST_F(HostileInput, ASlabOfCountlessManyIsRefusedAtOnce) {
   const std::string slab = scratch_.write(
       "s.csv", "# slab 1/99999999999999: 1 of 1 points, grid 0123456789abcdef\na\n1\n");
   expect_refused(run_shell("timeout 60 $raceway table --merge " + slab + " -o -"),
-                 "99999999999998 of 99999999999999 slabs are missing: the first is "
+                 "missing slabs: 99999999999998 of 99999999999999; the first is "
                  "2/99999999999999");
 }
 

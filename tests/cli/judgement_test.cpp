@@ -237,10 +237,9 @@ TEST_F(Judged, FlagsThatChangeNothingAreNamed) {
       command("deflection", wet, "--force 100 --coolant off").err,
       HasSubstr(
           "switching off the coolant has no effect: the spindle is calculated cold, not warm"));
-  EXPECT_THAT(
-      command("deflection", wet, "--force 100 --direction axial --at 30").err,
-      HasSubstr(
-          "the position of an axial force has no effect, because the shaft is a beam on its axis"));
+  EXPECT_THAT(command("deflection", wet, "--force 100 --direction axial --at 30").err,
+              HasSubstr("the position of an axial force has no effect, because the force acts "
+                        "along the axis of the shaft"));
   expect_refused(command("spindle", wet, "--speed 3000 --steady --drop-nan"),
                  "--columns and --drop-nan are only possible with --speed-profile");
   expect_refused(command("table", model_text, "--speed 100 --axial-load 100 --drop-nan"),

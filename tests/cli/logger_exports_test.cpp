@@ -113,10 +113,11 @@ TEST(LoggerExports, AReadingThatCannotBeIsNamedAndLeftOut) {
 TEST(LoggerExports, DisplacementsInMillimetresAreAskedAboutBeforeAnyResult) {
   const Exported in_mm = scaled(at_displacement, 1e-3);
   for (const std::string& command : in_mm.commands())
-    expect_refused(run(command),
-                   "are the values in mm (3.67 um/K)? If so, set the unit in [columns]: "
-                   "displacement_z_um = { column = "
-                   "\"displacement_z_um\", unit = \"mm\" }");
+    expect_refused(
+        run(command),
+        "are the values in mm (then the change is 3.67 um/K)? If so, set the unit in [columns]: "
+        "displacement_z_um = { column = "
+        "\"displacement_z_um\", unit = \"mm\" }");
   const std::string map = in_mm.folder.write(
       "map.toml",
       "[columns]\ndisplacement_z_um = { column = \"displacement_z_um\", unit = \"mm\" }\n");
@@ -130,8 +131,9 @@ TEST(LoggerExports, TimesInOtherUnitsAreAskedAboutBeforeAnyResult) {
     for (const std::string& command : other.commands())
       expect_refused(
           run(command),
-          fmt::format("is time_s in {} (sampling interval 60 s, duration 14 h)? If so, set the "
-                      "unit in [columns]: time_s = {{ column = \"time_s\", unit = \"{}\" }}",
+          fmt::format("is time_s in {} instead of s (then the sampling interval is 60 s and the "
+                      "duration 14 h)? If so, set the unit in [columns]: time_s = {{ column = "
+                      "\"time_s\", unit = \"{}\" }}",
                       unit, unit));
     const std::string map = other.folder.write(
         "map.toml",
@@ -162,7 +164,7 @@ TEST(LoggerExports, OneTemperatureInFahrenheitIsAskedAboutBeforeAnyResult) {
   for (const std::string& command : one.commands())
     expect_refused(
         run(command),
-        "are the values in fahrenheit (19.3 to 45.8 C)? If so, set the unit in [columns]: "
+        "are the values in fahrenheit, that is 19.3 to 45.8 C? If so, set the unit in [columns]: "
         "bearing_temperature_C = { column = \"bearing_temperature_C\", unit = \"F\" }");
 }
 
@@ -183,8 +185,9 @@ TEST(LoggerExports, UnitsOfARecordOfASpindleAreAskedAboutBeforeAnyResult) {
   };
   for (const auto& [factor, unit] : {std::pair{1.0 / 60.0, "min"}, {1.0 / 86400.0, "d"}})
     refused(time, factor, 0.0,
-            fmt::format("is time_s in {0} (sampling interval 60 s, duration 7.98 h)? If so, set "
-                        "the unit in [columns]: time_s = {{ column = \"time_s\", unit = \"{0}\" }}",
+            fmt::format("is time_s in {0} instead of s (then the sampling interval is 60 s and the "
+                        "duration 7.98 h)? If so, set the unit in [columns]: time_s = {{ column = "
+                        "\"time_s\", unit = \"{0}\" }}",
                         unit));
   for (const auto& [factor, words, unit] : {std::tuple{1.0 / 60.0, "1/s", "1_s"},
                                             {std::acos(-1.0) / 30.0, "rad/s", "rad_s"},
@@ -424,11 +427,11 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
   EXPECT_THAT(checked.err, HasSubstr("are joined into one record of"));
   EXPECT_THAT(checked.err,
               HasSubstr("have no speed_rpm: the last value is used until the next one"));
-  EXPECT_THAT(checked.err, HasSubstr("speed.csv has a row for each change: its last row, at 41460 "
-                                     "s, applies to the end of the record"));
+  EXPECT_THAT(checked.err, HasSubstr("speed.csv has one row for each change of a setting: its last "
+                                     "row, at 41460 s, applies until the end of the record"));
   expect_refused(
       run("check " + record_model + " " + temperatures.file + " --beside " + temperatures.file),
-      "is also in another of these files; keep one column");
+      "is also in another of the joined files; keep it in one file only");
 }
 
 /// A logger that samples has stopped: what the control set after its last row is not known.
@@ -440,9 +443,10 @@ TEST(LoggerExports, AFileBesideThatSamplesEndsWithItsLastRow) {
     speeds += cells_of(line)[0] + "," + cells_of(line)[1] + "\n";
   const Result checked = run("check " + record_model + " " + rest.file + " --beside " +
                              rest.folder.write("speed.csv", speeds));
-  EXPECT_THAT(checked.err,
-              HasSubstr("s are not used, because one of these files does not cover this time"));
-  EXPECT_THAT(checked.err, Not(HasSubstr("s, applies to the end")));
+  EXPECT_THAT(
+      checked.err,
+      HasSubstr("s are not used, because one of the joined files does not cover this time"));
+  EXPECT_THAT(checked.err, Not(HasSubstr("s, applies until the end")));
 }
 
 TEST(LoggerExports, ALoggerThatBeganAnewRepeatsItsHeaderAndItsUnits) {
@@ -455,8 +459,9 @@ TEST(LoggerExports, ALoggerThatBeganAnewRepeatsItsHeaderAndItsUnits) {
   });
   const Result checked = run("check " + record_model + " " + anew.file);
   EXPECT_EQ(checked.status, 0) << checked.err;
-  EXPECT_THAT(checked.err,
-              HasSubstr("the header occurs once more in the file; the program skips these lines"));
+  EXPECT_THAT(
+      checked.err,
+      HasSubstr("the header occurs once more in the file; the program skips each repetition"));
   expect_truth(anew.file);
 }
 

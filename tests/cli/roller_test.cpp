@@ -53,7 +53,8 @@ TEST(RollerCommand, NewWritesAModelThatSolveTakes) {
   const std::string model = scratch.file("n1012.toml");
   const Result made = run("new \"N1012 KTN/SP\" -o " + model);
   EXPECT_EQ(made.status, 0) << made.err;
-  EXPECT_THAT(made.err, HasSubstr("is a cylindrical roller bearing: its rollers are estimated"));
+  EXPECT_THAT(made.err,
+              HasSubstr("is a cylindrical roller bearing: its roller data are estimated"));
   EXPECT_THAT(file_text(model), HasSubstr("the catalogue has 44300 N and 55200 N"));
   const Result solved = run("solve " + model + " --speed 4000 --radial-load 2000 --json");
   ASSERT_EQ(solved.status, 0) << solved.err;
@@ -123,7 +124,7 @@ TEST(RollerCommand, TyposAndNumbersOutOfRangeAreNamed) {
   EXPECT_THAT(why("roller_count", "rollers_count"), HasSubstr("did you mean roller_count?"));
   EXPECT_THAT(why("roller_count = 20", "ball_count = 20"),
               HasSubstr("ball_count = 20: this key is only for ball bearings, but the type is "
-                        "\"cylindrical-roller\", which has roller_count"));
+                        "\"cylindrical-roller\"; use roller_count"));
   EXPECT_THAT(why("roller_count = 20", "roller_count = 31"), HasSubstr("at most 29 rollers"));
   EXPECT_THAT(why("roller_length_mm = 8", "roller_length_mm = 81"), HasSubstr("roller_length_mm"));
   EXPECT_THAT(why("bore_mm = 60", "bore_mm = 70"), HasSubstr("bore_mm"));

@@ -118,9 +118,10 @@ TEST(SeveralFiles, RefusesWhatCannotBeOneRecord) {
   expect_refused(run(start + d.monday + " " + d.monday), "monday.csv: is given twice");
   expect_refused(run(start + d.both + " --per-record f00"), "nearest: f0");
   expect_refused(run(start + d.both + " --per-record f0,f0"), "listed twice");
-  expect_refused(run(start + d.monday + " --per-record f0"),
-                 "is a single record, so all its parameters are separate; name at least two files "
-                 "of measurements");
+  expect_refused(
+      run(start + d.monday + " --per-record f0"),
+      "is the only record, but --per-record needs several records; name at least two files "
+      "of measurements");
   expect_refused(run(start + "--per-record f0"), "DATA is missing");
   const std::string shaft = d.scratch.write(
       "shaft.csv", "speed_rpm,axial_load_N,axial_displacement_um\n100,10,1\n200,10,2\n");

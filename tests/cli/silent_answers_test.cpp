@@ -207,10 +207,10 @@ TEST_F(SilentAnswers, ALoadDeflectionCurveIsNotTakenForTheKinematicOne) {
                                           "speed_rpm,axial_load_N,axial_displacement_um\n"
                                           "0,0,0\n0,200,0.7\n0,400,1.3\n0,600,2.0\n");
   for (const char* verb : {"check", "compare"})
-    EXPECT_THAT(
-        run(std::string(verb) + " " + model(shaft_text) + " " + data).err,
-        HasSubstr("4 rows at standstill, 0 to 600 N axial: axial_displacement_um is measured "
-                  "from standstill under the same load"))
+    EXPECT_THAT(run(std::string(verb) + " " + model(shaft_text) + " " + data).err,
+                HasSubstr("4 rows at standstill with axial loads from 0 to 600 N: "
+                          "axial_displacement_um is measured "
+                          "from standstill under the same load"))
         << verb;
   const json rows =
       parsed(command("table", shaft_text, "--speed 0 --axial-load 0:600:200 --json"))["rows"];
@@ -223,7 +223,7 @@ TEST_F(SilentAnswers, ASetOnASoftSpringComesFreeAtNoLoad) {
   const std::string spring =
       replaced(shaft_text, "mounting = \"rigid\"", "mounting = \"spring\"\nspring_rate_N_um = 0.5");
   const Result r = command("displacement", spring, "--speed 0,1000");
-  EXPECT_THAT(r.out, HasSubstr(", and the rear set at none"));
+  EXPECT_THAT(r.out, HasSubstr(", and the rear set at no load"));
   EXPECT_THAT(r.out, Not(HasSubstr("-5")));
 }
 

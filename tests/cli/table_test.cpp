@@ -205,7 +205,7 @@ TEST_F(Slabs, AreMadeAndMergedByGnuParallel) {
 TEST_F(Slabs, AreRefusedWhereOneIsMissingTwiceStrangeOrCut) {
   const std::string a = slab("1/3", "a.csv", axes), b = slab("2/3", "b.csv", axes),
                     c = slab("3/3", "c.csv", axes);
-  EXPECT_THAT(merge_refusal(a + " " + c), HasSubstr("1 of 3 slabs are missing: the first is 2/3"));
+  EXPECT_THAT(merge_refusal(a + " " + c), HasSubstr("missing slabs: 1 of 3; the first is 2/3"));
   EXPECT_THAT(merge_refusal(a + " " + b + " " + c + " " + b), HasSubstr("slab 2/3 is given twice"));
   const std::string other = slab("2/3", "other.csv", "--speed 0:8000:1000 --axial-load 100,900");
   EXPECT_THAT(

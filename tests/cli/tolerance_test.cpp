@@ -74,8 +74,10 @@ TEST(Tolerance, OfTheFlagIsThatOfTheModel) {
 
 TEST(Tolerance, IsSaidByCompare) {
   const std::string compare = "compare " + rig_folder + "model.toml " + train + " --tolerance ";
-  EXPECT_THAT(run(compare + "2Nmm").out, HasSubstr("It exceeds the tolerance of 2 N mm."));
-  EXPECT_THAT(run(compare + "500Nmm").out, HasSubstr("It is within the tolerance of 500 N mm."));
+  EXPECT_THAT(run(compare + "2Nmm").out,
+              HasSubstr("The RMS misfit exceeds the tolerance of 2 N mm."));
+  EXPECT_THAT(run(compare + "500Nmm").out,
+              HasSubstr("The RMS misfit is within the tolerance of 500 N mm."));
 }
 
 TEST(Tolerance, ThatCannotBeIsToldInOneMessage) {

@@ -127,11 +127,11 @@ TEST(ControlTableText, RefusesInOneMessage) {
   EXPECT_THAT(refused(",,control,restart,resume,", ",,control,restart,again,"),
               HasSubstr("must be one of: decay resume rest"));
   EXPECT_THAT(refused("displacement,sign,-1,1", "displacement,sign,0.5,1"),
-              HasSubstr("sign must be 1 or -1"));
+              HasSubstr("\"sign\" must be 1 or -1"));
   EXPECT_THAT(refused("of,channel,part", "off,channel,part"),
               HasSubstr("the columns must be of,channel"));
   EXPECT_THAT(refused("output,offset_z_counts", "output,offset z()"),
-              HasSubstr("output must consist of letters, digits, _ and -"));
+              HasSubstr("\"output\" must consist of letters, digits, _ and -"));
   EXPECT_THAT(refused("section 1,course,", "section 1,curse,"),
               HasSubstr("unknown name in this part of the table"));
 }

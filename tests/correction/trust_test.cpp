@@ -86,8 +86,9 @@ TEST(Trust, OnARecordIsNoBetterThanItsReadings) {
   outside.at_row[7] = outside.at_row[8] = true;
   EXPECT_EQ(trust_on(model, {.rms = 1 * um}, 12 * um, inside).level, TrustLevel::good);
   EXPECT_EQ(trust_on(model, {}, unset, inside).level, TrustLevel::good);
-  EXPECT_EQ(line_of(trust_on(model, {}, unset, outside)),
-            "only inside its range: 2 of the 100 rows of this record are outside");
+  EXPECT_EQ(
+      line_of(trust_on(model, {}, unset, outside)),
+      "only inside its range: 2 of the 100 rows of this record are outside the range of the model");
   EXPECT_EQ(
       line_of(trust_on(model, {.rms = 12.3 * um}, 14.7 * um, outside)),
       "do not use, because the RMS error on this record is 12.3 um; the RMS displacement without "

@@ -123,8 +123,8 @@ TEST(CorrectionFile, AFrictionTableIsReadAtARadialLoad) {
               refused("radial_load_N is missing, at which the friction table is read: give a "
                       "number or a column"));
   EXPECT_THAT([&] { (void)torque(table, "radial_load_N = 2001\n"); },
-              refused("radial_load_N = 2001 N is outside the range of t.csv, which has the radial "
-                      "loads 0, 500 and 2000 N"));
+              refused("radial_load_N = 2001 N is outside the range of the friction table t.csv "
+                      "(radial loads: 0, 500 and 2000 N)"));
   const std::string without = "speed_rpm,friction_torque_Nmm\n0,10\n1000,20\n";
   EXPECT_NEAR(torque(without, ""), 20, 1e-9);
   EXPECT_THAT([&] { (void)torque(without, "radial_load_N = 5\n"); }, refused("N is outside"));
@@ -199,10 +199,11 @@ TEST(CorrectionFile, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"
                              "sections = [{ gain_um_W = 1, time_constant_s = 9 }]\n"),
               refused("gain_um_K"));
-  EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"power_W\"\nsections = []\n"),
-              refused("input = \"power_W\": friction_table is missing, a CSV with speed_rpm, "
-                      "axial_load_N, temperature_C and friction_torque_Nmm, as raceway table "
-                      "writes it. For a recorded power, use its column, such as spindle_power_W"));
+  EXPECT_THAT(
+      reading(head + "[[correction.channel]]\ninput = \"power_W\"\nsections = []\n"),
+      refused("input = \"power_W\": friction_table is missing. This key names a CSV with "
+              "speed_rpm, axial_load_N, temperature_C and friction_torque_Nmm, which raceway table "
+              "can write. For a recorded power, use its column, such as spindle_power_W"));
   EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"
                              "numerator = [1.0]\ndenominator = [1.0, -0.9]\n"),
               refused("sampling_s is missing"));
@@ -459,7 +460,7 @@ TEST(SeriesFile, RowsWithoutAnInputAreLeftOutOrBreakTheRecord) {
   record::Record r = series(displacement_header + "0,,20,1\n60,100,20,1\n");
   EXPECT_EQ(r.rows(), 1u);
   EXPECT_THAT(texts(r.notes),
-              Contains("rows before the first value of speed_rpm are not used, line 2"));
+              Contains("rows before the first value of speed_rpm are not used: line 2"));
   r = series("run_id,time_s,speed_rpm,displacement_z_um\na,0,100,1\na,60,,1\nb,0,,1\n");
   EXPECT_EQ(r.rows(), 2u);
   // What was measured in a long gap takes no part.

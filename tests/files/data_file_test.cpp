@@ -423,9 +423,10 @@ TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
   EXPECT_EQ(error(header, "900,800,0"), "d.csv:2: time_s = 0: must be from 1e-06 to 1000000000 s");
   EXPECT_EQ(error(header, "900,0,5"),
             "d.csv:2: speed_to_rpm = 0: must be from 0.001 to 1000000 rpm");
-  EXPECT_EQ(error(header + ",speed_rpm", "900,800,5,850"),
-            "d.csv:1: columns speed_rpm and speed_from_rpm cannot be in the same file: a file has "
-            "either times between two speeds, speeds over time, or readings at a speed");
+  EXPECT_EQ(
+      error(header + ",speed_rpm", "900,800,5,850"),
+      "d.csv:1: columns speed_rpm and speed_from_rpm cannot be in the same file: a file has only "
+      "one of these: times between two speeds, speeds over time, or readings at constant speeds");
   EXPECT_THAT(error(header + ",friction_torque_Nmm", "900,800,5,850"),
               StartsWith("d.csv:1: columns friction_torque_Nmm and speed_from_rpm"));
   EXPECT_THAT(error("speed_from_rpm,time_s", "900,5"),

@@ -100,9 +100,9 @@ TEST(Doubts, TheOtherSignIsNamed) {
 
 TEST(Doubts, TemperaturesInOtherUnitsAreNamed) {
   EXPECT_THAT(after([](Row& r) { r.temperature += 273.15; }),
-              ElementsAre(HasSubstr("C: are the values in kelvin (30 to 45 C)?")));
+              ElementsAre(HasSubstr("C: are the values in kelvin, that is 30 to 45 C?")));
   EXPECT_THAT(after([](Row& r) { r.temperature = 1.8 * r.temperature + 32; }),
-              ElementsAre(HasSubstr("C: are the values in fahrenheit (30 to 45 C)?")));
+              ElementsAre(HasSubstr("C: are the values in fahrenheit, that is 30 to 45 C?")));
 }
 
 TEST(Doubts, LoadsAndSpeedsInOtherUnitsAreNamed) {

@@ -122,8 +122,8 @@ TEST(ModelWithTable, NeedsAWholeFileOfOneBearing) {
   EXPECT_THAT(refusal([] {
                 (void)tabled(table_law, "speed_rpm,friction_torque_Nmm,front_force_N\n0,1,300\n");
               }),
-              HasSubstr("\": the table is for a whole shaft, but the law table needs the torque of "
-                        "one bearing (a model without [arrangement])"));
+              HasSubstr("\": the table is for a whole shaft, but this key needs a table for one "
+                        "bearing (from a model without [arrangement])"));
   EXPECT_THAT(refusal([] { (void)tabled(table_law, "speed_rpm\n0\n"); }),
               HasSubstr("my.toml:17: file = \"rig/t.csv\": rig/t.csv:1: column "
                         "friction_torque_Nmm is missing"));

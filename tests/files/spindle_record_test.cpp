@@ -121,7 +121,7 @@ TEST(SpindleRecord, RowsBeforeTheFirstValueOfAnInputAreLeftOut) {
   EXPECT_EQ(r.rows(), 2u);
   EXPECT_EQ(r.line(0), 3);
   EXPECT_THAT(texts(r.notes),
-              Contains("rows before the first value of speed_rpm are not used, line 2"));
+              Contains("rows before the first value of speed_rpm are not used: line 2"));
   EXPECT_THAT(rows_error("time_s,speed_rpm\n60,\n120,nan\n"),
               HasSubstr(": no row has values for all inputs:"));
 }
@@ -163,16 +163,18 @@ TEST(SpindleRecord, SettingsWithoutAStatementHoldUntilTheirRowWithANote) {
   EXPECT_DOUBLE_EQ(spindle::profile_of(r)[1].inputs.speed, 6000 * rpm);
   EXPECT_THAT(
       texts(r.notes),
-      Contains(HasSubstr("the program assumes that the settings of a row apply from the previous "
-                         "row to this row; set settings_hold = \"until row\" in [columns] "
-                         "to confirm this, or \"from row\" for a programme of events")));
+      Contains(HasSubstr(
+          "the program assumes that the settings of a row apply from the previous "
+          "row to this row; set settings_hold = \"until row\" in [columns] "
+          "to confirm this, or \"from row\" if the settings of a row apply until the next row")));
   EXPECT_THAT(texts(read_rows("time_s,speed_rpm\n0,6000\n100,6000\n").notes),
               Not(Contains(HasSubstr("settings_hold"))));
 }
 
 TEST(SpindleRecord, SensorThatTheModelLacksIsTold) {
-  EXPECT_THAT(texts(read_rows("time_s,speed_rpm,gearbox_temperature_C\n60,1000,20\n").notes),
-              Contains("not used, because not predicted by the model: gearbox_temperature_C"));
+  EXPECT_THAT(
+      texts(read_rows("time_s,speed_rpm,gearbox_temperature_C\n60,1000,20\n").notes),
+      Contains("columns not used, because the model does not predict them: gearbox_temperature_C"));
 }
 
 TEST(SpindleRecord, LoadsHaveASignAlongTheShaft) {

@@ -105,7 +105,7 @@ TEST(Headline, DoubtsWhereEqualPointsReadDifferently) {
   d.effects = {effect("churning", "torque_at_10000_rpm_Nmm", 20.0, "N mm")};
   EXPECT_EQ(verdict::headline(d, verdict::Inputs::may_miss_something),
             "Churning is missing: 20 N mm at 10 000 rpm; error 44.9 -> 10.7 N mm; but rows at "
-            "nearly the same point have different readings");
+            "nearly equal operating points have different readings");
 }
 
 TEST(Headline, ClaimsNoMoreThanTheDataShow) {

@@ -59,7 +59,7 @@ TEST(RollerModel, SaysWhatIsWrongInAFile) {
   };
   EXPECT_EQ(why("ball_count = 20\n"),
             "roller.toml:9: ball_count = 20: this key is only for ball bearings, but the type is "
-            "\"cylindrical-roller\", which has roller_count");
+            "\"cylindrical-roller\"; use roller_count");
   EXPECT_THAT(why("contact_angle_deg = 15\n"), HasSubstr("this key is only for ball bearings"));
   EXPECT_THAT(why("", "[friction]\nz = 0.001\n"),
               HasSubstr("z = 0.001: this key is only for ball bearings; the load moment of "

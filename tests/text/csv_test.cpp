@@ -141,7 +141,7 @@ TEST(Csv, ShapesOfOtherProgramsAreRead) {
   EXPECT_EQ(again.rows(), 2u);
   EXPECT_EQ(again.notes,
             (std::vector<std::string>{
-                "the header occurs once more in the file; the program skips these lines",
+                "the header occurs once more in the file; the program skips each repetition",
                 "the program skips the text after the rows, from line 5 on"}));
   EXPECT_EQ(error_of("a,b\n1,2\nstopped\n3,4\n"),
             "d.csv:3: this row has fewer cells than the header (line 1)");
@@ -209,7 +209,7 @@ TEST(Csv, AHeaderThatStandsAgainMayHaveItsUnitsBelowIt) {
   EXPECT_EQ(table.notes,
             (std::vector<std::string>{
                 "line 2 is a row of units",
-                "the header occurs 2 times more in the file; the program skips these lines",
+                "the header occurs 2 times more in the file; the program skips each repetition",
                 "the program skips 2 lines between the rows and the repeated header"}));
   EXPECT_EQ(tests::message_of([&] { (void)read("t;T\ns;C\n1;20\nt;T\ns;F\n2;70\n"); }),
             "d.csv:5: the unit of T is \"F\" in this row, but \"C\" in the rows above; use one "
