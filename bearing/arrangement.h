@@ -52,9 +52,9 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
-  /// Share of the other mounting in the support of the rear set, from 0 to 1 [1]. The other
-  /// mounting of a spring is a rigid mounting. The other mounting of a rigid mounting is a spring
-  /// of constant force. See Arrangement::Seat.
+  /// Share of the other kind of mounting in the support of the rear set, from 0 to 1 [1]: of a
+  /// rigid mounting if `mounting` is `spring`, and of a spring of constant force if `mounting` is
+  /// `rigid`. Must be 0 in tandem. See Arrangement::Seat.
   double other_mounting = 0.0;
   /// Axial stiffness of the shaft between the sets, in series with the sets [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();

@@ -67,7 +67,7 @@ struct BearingInSet {
   BallEquilibrium ball;            ///< equilibrium of the ball at azimuth 0
   std::optional<GivenRotation> rotation;              ///< given rotation; empty under race control
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest Hertz pressures [Pa]
-  /// Minimum axial load, see minimum_load() [N].
+  /// Minimum axial load for rolling without skidding, from minimum_load() [N].
   double minimum_load = unset;
 
   [[nodiscard]] bool lost() const { return !(ball.inner_load > 0.0); }

@@ -67,11 +67,9 @@ struct BallForcesOf {
 ///
 /// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. The gyroscopic couple M_g = J ω_m ω_R sin β is
 /// balanced by friction T = λ M_g/D. Under outer control the friction acts only at the outer race
-/// (λo = 2),
+/// (λo = 2): To = 0.4 Fc sin αo and Ti = 0.
 ///
-///   To = 0.4 Fc sin αo,  Ti = 0,
-///
-/// Under inner control the friction is equal at both races (λi = λo = 1), Ti = To = 0.2 C m (1 - m)
+/// Under inner control the friction is equal at both races (λi = λo = 1): Ti = To = 0.2 C m (1 - m)
 /// sin αi. (M_g uses ω_R and β of kinematics.h. The product ω_R sin β is a rational function of
 /// sines and cosines.) Sign: M_g > 0 lowers αo. Equations (14) and (18) of [CaseStudy], taken
 /// together, have the wrong sign. A ball without inner contact (δi <= 0) is under outer control and
@@ -347,8 +345,8 @@ template <Rotation rotation, typename T>
   return b;
 }
 
-/// Returns the imbalance and the forces of a ball under the race control of the constants, or under
-/// a given rotation. `moment_arm_ratio` = f_i D / R_i [1].
+/// Returns the imbalance and the forces of a ball under the race control `c.race_control` or, if
+/// `given` is not null, with the given rotation. `moment_arm_ratio` = f_i D / R_i [1].
 [[nodiscard]] inline BallBalance ball_balance(const BallConstants& c, Plane groove_centre,
                                               Plane ball_centre, double moment_arm_ratio,
                                               InnerContact contact = InnerContact::automatic,

@@ -19,9 +19,9 @@ namespace raceway::bearing {
 ///
 /// Lo and Li are the distances from the ball centre to the outer and the inner groove centre. Axial
 /// load and moment determine f. The radial displacement follows from the condition that Σ f_r c
-/// equals the radial load. The couple τ does not decrease with the load, so only a few balls carry
-/// a light load. The number of kept balls is the smallest number for which the ring touches none of
-/// the lost balls.
+/// equals the radial load. The force τ from the gyroscopic couple does not decrease with the load,
+/// so only a few balls carry a light load. The number of kept balls is the smallest number for
+/// which the ring touches none of the lost balls.
 class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);

@@ -161,7 +161,8 @@ template <BallModel model, typename T>
         ball_balance_under<rotation>(p.ball, centre, x, p.moment_arm_ratio, contact, given);
     share.forces = b;
     step.outer_approach = b.outer_approach;
-    // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r. One division serves these and the imbalance.
+    // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r. One division is enough for both and for the scaled
+    // imbalance.
     const T scale = p.ball_scale + b.outer_load;
     const T squared = scale * scale;
     // A ball whose approach at the outer race has less than one significant digit is not moved.
@@ -350,7 +351,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   T missing = zero, error = zero;
   for (int i = 0; i < (tilts ? 5 : 3); ++i) {
     missing = max(missing, abs(p.load[i] - sums.carried[i]));
-    // By symmetry these components cancel over the balls that are not unknowns.
+    // Components of the load that are zero by symmetry are not checked, because `sum` contains only
+    // the balls that are unknowns.
     const bool even = circle.symmetry == Symmetry::none || i == 0 ||
                       (circle.symmetry == Symmetry::mirror && (i == 1 || i == 4));
     if (even) error = max(error, abs(p.load[i] - sum[i]));

@@ -72,7 +72,7 @@ class RingNewton {
   void advance(const BallCircle& circle);
 
   std::vector<BallStep<T>> now_, trial_;
-  T trial_force_[5], trial_stiffness_[5][5];  // of the ring, after the balls' steps
+  T trial_force_[5], trial_stiffness_[5][5];  // unbalanced force after the balls' steps; stiffness
   T trial_residual_, trial_merit_;
   T fresh_ = T(1.0), merit_ = T(0.0), fraction_ = T(1.0), halvings_ = T(0.0);
   T step_[5] = {T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)};

@@ -29,9 +29,10 @@ struct ShaftAssembly {
   std::vector<BearingShare> bearings;
   BearingShare front, rear;  ///< sums over each side
   double shaft_imbalance;    ///< F_f - F_r + d P, with the external load P [N]
-  double seat_imbalance;     ///< imbalance of the rear set's seat, in the unit of Arrangement::Seat
-  double residual;           ///< largest scaled imbalance [1]
-  double merit;              ///< sum of squares of the scaled imbalances
+  /// softness (F_r - F_0) - hardness (d (x - e) - (δ_r - δ_r0)), see Arrangement::Seat.
+  double seat_imbalance;
+  double residual;  ///< largest scaled imbalance [1]
+  double merit;     ///< sum of squares of the scaled imbalances
 };
 
 /// Equilibrium of a shaft on its bearing sets, solved by Newton's method. This class is internal to

@@ -72,12 +72,12 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// True if model files give this parameter of a law in the table [lubricant].
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
-/// Returns the bearing data that the law uses, as keys of a model file without the unit suffix.
-/// Other bearing data do not change the moments.
+/// Returns the bearing data that a law for a whole ball bearing uses, as keys of a model file
+/// without the unit suffix. Other bearing data do not change the moments of these laws.
 ///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-///   table:    no data; the list is empty
-///   contact, contact_powers, laws of rollers: all data; the list is also empty
+/// The list is empty for `table`, which uses no bearing data. The list is also empty for `contact`,
+/// `contact_powers` and the laws of rollers, which may use all bearing data.
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
 /// True if the law uses the ball equilibrium. Without an equilibrium, the moments of such a law are

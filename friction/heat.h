@@ -41,8 +41,9 @@ struct HeatSplit {
 /// of an inner contact is assigned to the inner ring, including the heat that flows into the ball.
 /// The split of spin friction is exact. The other splits are assumptions: load friction is
 /// proportional to contact load times rolling path, viscous friction to the rolling path only
-/// (equal films at both races). At low speed, Q and v are equal at both contacts, and each ring
-/// gets half. Each ring also gets half if no ball is loaded.
+/// (equal films at both races). At low speed, Q and v are equal at both contacts, so each ring gets
+/// half of these losses. Each ring also gets half if no ball is loaded. μ is
+/// HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s.
 ///
 /// Domain:   the heat is NaN without a converged equilibrium, and zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,

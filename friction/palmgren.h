@@ -83,7 +83,8 @@ template <typename T>
 T f1_ratio(const BearingState<T>& s) {
   const double C0 = s.bearing->geometry().static_load_rating;
   if (s.f1_load == F1Load::F_b) return palmgren_load(s) / C0;
-  // Divides like the code of automatic derivatives, so that values are equal to the last digit.
+  // Multiplies by the reciprocal, as automatic differentiation does, so that both give equal
+  // digits.
   return static_equivalent_load(s) * (1.0 / C0);
 }
 

@@ -41,8 +41,8 @@ struct PowersViscous {
     const T load = f1_load(s);
     if (load <= 0.0) return T(0.0);  // 0^b has no finite derivatives
     const T nu_n = (s.kinematic_viscosity / mm2_per_s) * (s.speed / rpm);
-    // Factors divide as in the code of automatic derivatives, so that values are equal to the last
-    // digit.
+    // Multiplies by the reciprocal, as automatic differentiation does, so that both give equal
+    // digits.
     const T share = (nu_n < 2000.0 ? T(2000.0) : nu_n) * (1.0 / medium_nu_n);
     // Palmgren's moment at ν n = 300 000; the moment depends only on this product.
     const T medium =
@@ -56,11 +56,12 @@ struct PowersViscous {
 ///
 ///   M = 1/(2 Z) Σ M_p(Z Q sin α0)
 ///
-/// The sum is over the inner and outer contacts of all balls. Q is the load of a contact. M_p(F_a)
-/// is a moment of the law `powers` under the thrust F_a alone. At low speed, the contact angles are
-/// near α0, and under pure thrust F_a, M is nearly M_p(F_a). At high speed, the centrifugal force
-/// increases the loads of the outer contacts. For α0 = 0, sin α0 is replaced by sin 15 deg, the
-/// angle of palmgren_load().
+/// The formula is for the load moment and for the viscous moment. The sum is over the inner and
+/// outer contacts of all Z balls. Q is the load of a contact. M_p(F_a) is the moment of the law
+/// `powers` under the thrust F_a alone. At low speed, the contact angles are near α0, and under
+/// pure thrust F_a, M is nearly M_p(F_a). At high speed, the centrifugal force increases the loads
+/// of the outer contacts. For α0 = 0, sin α0 is replaced by sin 15 deg, the angle of
+/// palmgren_load().
 ///
 /// Source:   derived. The rolling moment of one contact is a product of powers of speed and load
 ///           [BibouletHoupert2010].

@@ -44,8 +44,8 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 ///   M1 = f1 F d_m
 ///
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 =
-///           0.0003 comes from the public program thermca, after Jungnickel. The usual ranges,
-///           0.0002 to 0.0004 for f1 and 0.6 to 4 for f0, are from memory.
+///           0.0003 comes from the public program thermca, after Jungnickel. The usual range of
+///           f1, 0.0002 to 0.0004, is from memory.
 /// Domain:   F >= 0. f1 is constant; for ball bearings, f1 is z (P0/C0)^y.
 struct RollerPalmgrenLoad {
   static constexpr std::array parameters{
@@ -117,9 +117,9 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///   G = Σ 1/(R_i + R_o),   R = ((ln(4 L/b) - 1)/k_ring + ln(2 D/b)/k_roller)/(π L)
 ///
 /// The sum is over the rollers. R is the thermal resistance of one contact, R_i at the inner race
-/// and R_o at the outer race [K/W]. b is the half width of the contact under the line load Q/L.
-/// k_ring and k_roller are thermal conductivities [W/(m K)]. Rollers that touch only one race
-/// conduct no heat.
+/// and R_o at the outer race [K/W]. b is the half width of the contact under the line load Q/L,
+/// with the contact load Q. L and D are the length and the diameter of the roller. k_ring and
+/// k_roller are thermal conductivities [W/(m K)]. Rollers that touch only one race conduct no heat.
 /// Source:   derived: a strip source on a half space, and a line source through a cylinder.
 /// Accuracy: the formula agrees with boundary element results to 1 %. In a running bearing, oil and
 ///           rolling motion transfer additional heat.

@@ -30,9 +30,9 @@ void validate(const TableAxes& axes);
 
 /// Values at one point of a table.
 struct TablePoint {
-  /// Status of the point: `converged` if all values are finite. A friction law that does not use
-  /// the ball equilibrium gives a moment even if the balls have no equilibrium; the status then
-  /// describes the equilibrium.
+  /// Status of the point: the status of an equilibrium that did not converge; otherwise
+  /// `converged`, or `not_finite` if a moment, loss or position is not finite. A friction law that
+  /// does not use the equilibrium gives a moment even if the balls have no equilibrium.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
   std::span<double> columns;       ///< additional values, in the order of StribeckTable::columns
@@ -130,8 +130,8 @@ struct InterpolatedMoment {
 ///
 /// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
 /// Domain:   the closed range of each axis, with a relative margin of 1e-9 for rounding of units.
-///           The function throws std::invalid_argument for a position that is not finite, for any
-///           `outside`, and for a slab instead of a whole table.
+///           The function throws std::invalid_argument for a slab instead of a whole table. With
+///           any `outside`, it also throws if a member of `position` is not finite.
 /// Accuracy: exact at grid points. For equal spacing h the error is of order h³, and of order h²
 ///           near the ends and near an extremum. Along a grid line, the moment is monotone where
 ///           its points are monotone. Between grid lines, the moment is usually monotone, but not

@@ -58,7 +58,7 @@ struct RollerRatings {
 /// Domain:   the life is NaN without a converged equilibrium, and infinite without load.
 /// Trap:     without a roller profile, the edge stress makes the life depend on the number of
 ///           slices. L10r differs from (C/F_r)^(10/3): with the ISO profile and C/F_r = 20.7, L10r
-///           is 3.3 times longer.
+///           is 3.3 times as long.
 [[nodiscard]] double reference_life(const RollerRatings& ratings,
                                     const bearing::RollerEquilibrium& equilibrium,
                                     bool edges = true);

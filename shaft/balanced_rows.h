@@ -24,7 +24,8 @@ class BalancedRows {
   struct Row {
     model::Row row;  ///< row of the record; missing ring temperatures come from the model
     std::optional<bearing::SetTemperatures> temperatures;
-    std::vector<effects::Condition> bearings{};  ///< changes of each bearing, front set first
+    /// Changes by effects for each bearing, front set first.
+    std::vector<effects::Condition> bearings{};
     bearing::ArrangementEquilibrium equilibrium{};
     int solved = 0;  ///< number of equilibria solved for this row
 

@@ -84,9 +84,9 @@ struct KinematicLawFit {
 /// needs no start value.
 ///
 /// The standard errors come from the linearised problem. Without `std`, the misfit determines the
-/// scale of the standard errors. With `std`, the standard errors are increased if the misfit
-/// exceeds `std`. A computed curve has no scatter, so standard errors from such a curve are not
-/// valid for other curves.
+/// scale of the standard errors. With `std`, the standard errors are increased if the reduced
+/// chi-square of the fit is above 1. A computed curve has no scatter, so standard errors from such
+/// a curve are not valid for other curves.
 ///
 /// Rows at standstill are not fitted, because the law is zero there, but extend the speed range of
 /// the law to zero. Throws std::invalid_argument for a value that is not finite, a negative speed,

@@ -16,7 +16,8 @@ using model::Steps;
 struct SetState {
   const bearing::Arrangement& mounted;
   const bearing::ArrangementEquilibrium& equilibrium;
-  const std::vector<effects::Condition>& bearings;  ///< changes of each bearing, front set first
+  /// Changes by effects for each bearing, front set first.
+  const std::vector<effects::Condition>& bearings;
   const std::optional<bearing::SetTemperatures>& temperatures;
   double speed = unset;        ///< [rad/s]
   double temperature = unset;  ///< temperature of the lubricant [K]

@@ -15,7 +15,8 @@ using model::Steps;
 /// Condition of the sets of a shaft at one operating point.
 struct ShaftCondition {
   bearing::ArrangementCondition sets;
-  std::vector<effects::Condition> bearings;  ///< changes of each bearing, front set first
+  /// Changes by effects for each bearing, front set first.
+  std::vector<effects::Condition> bearings;
 };
 
 /// Mounts the bearing sets of a shaft and finds their operating condition, with the changes by

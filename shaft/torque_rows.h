@@ -27,7 +27,8 @@ class TorqueRows {
 
  private:
   struct Made {
-    int solved = 0;  ///< solved equilibria when the predictors were made; 0: not made
+    /// BalancedRows::Row::solved when the predictors of the row were made; 0: not made.
+    int solved = 0;
     std::vector<effects::Condition> conditions{};
   };
   void place(std::size_t row);

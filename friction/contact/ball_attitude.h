@@ -71,8 +71,8 @@ class BallAttitudes {
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
   /// Returns the rotation of a ball with films at the cage speed of `start`, or at the cage speed
-  /// of outer control if there is no converged `start`. solve() repeats this step until both cage
-  /// speeds agree.
+  /// of outer control if there is no converged `start`. solve() repeats this step until the cage
+  /// speed of the films agrees with the cage speed of the result.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 

@@ -256,11 +256,12 @@ template <typename Contacts, typename Look>
 /// Source:   the laws in friction/contact; the sum of powers is derived.
 /// Domain:   speed >= 0; at standstill, the result is the limit for slow rotation. The moments are
 ///           NaN without a converged equilibrium.
-/// Accuracy: the code agrees with the laws to rounding error; sliding agrees to 0.1 %. The friction
-///           of a bearing at speed is uncertain by +-40 %, because oil supply and heating of the
-///           inlets are not known well. Flooded inlets give 32 to 55 % more friction than limited
-///           inlets. The friction ratio of two bearings is much more accurate. `look` is described
-///           at sum_over_contacts().
+/// Accuracy: the code agrees with the laws to rounding error, except for the sliding loss, whose
+///           accuracy is given at film_traction(). The friction of a bearing at speed is uncertain
+///           by +-40 %, because oil supply and heating of the inlets are not known well. Flooded
+///           inlets give 32 to 55 % more friction than limited inlets. The friction ratio of two
+///           bearings is much more accurate.
+/// `look` is described at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
                                                const bearing::BearingEquilibrium& equilibrium,

@@ -34,6 +34,8 @@ struct OilDefaults {
   double pressure_viscosity_t;  ///< t of pressure_viscosity() [1]
 };
 
+/// Returns the default properties of a type of oil.
+///
 /// Source:   textbook values of each type, s and t by [Gold2001]. All values are from memory and
 ///           were not checked against a print.
 /// Accuracy: density 3 %, conductivity and α 15 %, limiting traction 30 %. At contact pressures

@@ -42,8 +42,8 @@ class Roelands {
   double viscosity_, log_, exponent_;
 };
 
-/// True if Roelands' law gives a finite viscosity for an oil with this η0 [Pa s]. Oils for which it
-/// is false do not lubricate.
+/// True if Roelands' law gives a finite viscosity for an oil with this η0 [Pa s]: if η0 is above
+/// e^-9.67 Pa s. Liquids with a lower viscosity are no lubricants.
 [[nodiscard]] inline bool roelands_holds(double viscosity) {
   return std::log(viscosity) + 9.67 > 0.0;
 }

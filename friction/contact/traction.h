@@ -37,8 +37,8 @@ struct CentreSlip {
 struct TractionSums {
   double along = 0.0, across = 0.0;  ///< Σ τ_x, Σ τ_y [N]
   double along_slope = 0.0;          ///< d(Σ τ_x)/dv_x0 [N s/m]
-  double mixed_slope = 0.0;          ///< d(Σ τ_x)/dv_y0 = d(Σ τ_y)/dv_x0
-  double across_slope = 0.0;         ///< d(Σ τ_y)/dv_y0
+  double mixed_slope = 0.0;          ///< d(Σ τ_x)/dv_y0 = d(Σ τ_y)/dv_x0 [N s/m]
+  double across_slope = 0.0;         ///< d(Σ τ_y)/dv_y0 [N s/m]
   double power = 0.0;                ///< Σ τ v [W]
   double spin_moment = 0.0;          ///< Σ (x τ_y - y τ_x) [N m]
   double force = 0.0;                ///< Σ |τ| [N], regardless of direction

@@ -8,7 +8,7 @@
 #include "bearing/linear_solve.h"
 #include "friction/contact/slip_forces.h"
 
-// Internal to ball_attitude.cpp.
+// Only ball_attitude.cpp uses this header.
 namespace raceway::friction::contact {
 
 /// Unknowns of the solver [m/s]: slips v_i and v_o along rolling at the inner and outer contact
@@ -145,7 +145,7 @@ class TurningBall {
     return (speed_ - cage) * inner_radius_;
   }
   [[nodiscard]] double outer_surface_speed(double cage) const { return cage * outer_radius_; }
-  /// Slips of a ball without gyroscopic creep whose axis has this pitch, tan β.
+  /// Slips of a ball that rolls without gyroscopic creep. `pitch` is tan β of its axis.
   [[nodiscard]] Slips rolling(double pitch) const {
     const double across =
         pitch * rolling_cage_speed(pitch) * outer_radius_ / (half_ * (co_ + pitch * so_));

@@ -14,8 +14,8 @@ inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
 /// Names are as in contact_friction.h. Values that differ between contacts, such as load and speed,
 /// are not included in the factors.
 struct KernelRace {
-  bool flooded, starves;  ///< true: inlets are flooded; true: inlet_over_b is given
-  // Ellipse and motion.
+  bool flooded, starves;  ///< true if inlets are flooded; true if inlet_over_b is given
+  // Shape of the contact, see ContactShape.
   double unit_major_axis, ellipse_ratio, pressed_radius;
   // isothermal_film(): h = factor · (η u)^n α^m Q^-q. asperity_share(): roughness, B and C.
   double central_factor, minimum_factor, roughness, asperities_B, asperities_C;
@@ -24,7 +24,7 @@ struct KernelRace {
   // rolling_force(): factors of IVR, EHL and M, whose powers of U, W and G are as in the law.
   // Factors of ContactLaw on rolling resistance and hysteresis.
   double rigid_factor, elastic_factor, moes_factor, rolling_factor, hysteresis_factor;
-  // FilmShear.
+  // Constants of FilmShear and Roelands.
   double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
   /// Integration points of half the ellipse if the ball spins, else of a quarter: p/p0 and weight
   /// of each ring, and sines and cosines of the angles. `copies` is the number of these halves or

@@ -213,7 +213,8 @@ void slide_in(const KernelRace& race, std::size_t at, KernelSliding& sliding) {
   auto done = zero > zero;
   for (int step = 0; step < 60; ++step) {
     const KernelSums<F> f = sums_in<F, film, asperities, spins>(race, sliding, at, v);
-    // Until the forces at the ends are known, half of the largest possible force is used.
+    // Until the forces at the ends of the bracket are known, half of the largest possible force is
+    // used.
     if (step == 0) {
       below = -0.5f * f.force;
       above = 0.5f * f.force;

@@ -16,7 +16,7 @@ void stresses_in(const CirclePoints<double>& points, const RingPressures& p,
     const V s = V::load_aligned(points.s + i);
     const V power = exponential(p.exponent * log_one_plus(p.pressure * s));
     const V thicker = p.logarithm * (power - 1.0);
-    // The argument order of min() lets NaN through.
+    // With select() instead of min(), a NaN stays NaN.
     const V steep = p.newton * exponential(xsimd::select(thicker > V(690.0), V(690.0), thicker));
     xsimd::select(steep > V(p.glass), V(p.glass), steep).store_aligned(rings.steepness + i);
     (p.limit * s).store_aligned(rings.limit + i);

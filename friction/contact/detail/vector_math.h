@@ -77,8 +77,8 @@ template <class V>
 
 inline constexpr double ln_2 = 0.693147180559945309;
 
-/// asinh(z), z >= 0, `length` = sqrt(1 + z²): the logarithm of z + length. For small z it is 2
-/// atanh(z/(1 + length)), which keeps the digits of z.
+/// Returns asinh(z) = ln(z + length) for z >= 0, with `length` = sqrt(1 + z²). For small z, the
+/// code uses the equal expression 2 atanh(z/(1 + length)), which keeps the digits of z.
 template <class V>
 [[gnu::always_inline]] inline V area_sine(const V& z, const V& length) {
   using Real = typename V::value_type;
