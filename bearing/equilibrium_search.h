@@ -17,7 +17,7 @@ namespace raceway::bearing {
 ///   4. following the solution from standstill to full speed,
 ///   5. if the axial load is small, following the solution from the radial load without axial load,
 ///   6. under inner control, states in which the least loaded balls have lost the inner race, then
-///      again the sets of step 2 that differ by one ball, with more Newton steps,
+///      the sets of step 2 in which one ball was changed, again with more Newton steps,
 ///   7. under inner control, the contacts that occur on a grid of ring positions (contact_scan.h).
 ///
 /// Without axial load, only step 4 is possible. Under outer control the forces are continuous in

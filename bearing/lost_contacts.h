@@ -23,7 +23,8 @@ class ContactSearch {
   /// were solved but not valid. Returns true if a valid equilibrium is found, with `state` as the
   /// solution.
   [[nodiscard]] bool settle(RingState& state);
-  /// Tries the sets of settle() that differ by one ball again, with more Newton steps for each set.
+  /// Repeats the last stage of settle(), the sets changed by one ball, with more Newton steps for
+  /// each set.
   [[nodiscard]] bool widen(RingState& state);
   /// Last resort: starts from the sets that a scan over ring positions finds (contact_scan.h), then
   /// from sets that differ from one of these sets by one ball.

@@ -305,7 +305,7 @@ struct RingReport {
 };
 
 /// Angles and forces at equilibrium of all balls that are unknowns. The loads are summed again from
-/// these values. This sum independently checks the axes and all steps from the unknowns to the
+/// these values. This sum is an independent check of all calculations from the unknowns to the
 /// report.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,

@@ -59,7 +59,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 /// Returns the law of ball bearings with this name in files; nullopt for other names.
 [[nodiscard]] std::optional<FrictionLaw> find_friction_law(std::string_view name);
 
-/// Returns the name of a load in files: "P0", "F_b", "F_r" or "rollers".
+/// Returns the name of an F1Load in files: "P0", "F_b", "F_r" or "rollers".
 [[nodiscard]] std::string_view name(F1Load load);
 
 /// Parameters of the law, in the order of the values that base_moments() expects.

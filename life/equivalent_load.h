@@ -19,8 +19,9 @@ struct LoadFactors {
 /// Between these angles, the factors are linear in the angle. Z is the number of balls, and D is
 /// the ball diameter. Catalogues use the ratio f0 F_a/C0 instead of F_a/(Z D²). Because C0 = f0 Z
 /// D² cos α, both ratios differ only by the factor cos α, at least 0.966 up to 15 deg.
-/// Source:   [ISO281, table 3], not checked against the print. All rows come from a transcript. In
-///           every row, X + Y e = 1 within 1 % (tested), because P is continuous at e.
+/// Source:   [ISO281, table 3], not checked against the print. All rows of the table
+///           come from a transcript. In every row, X + Y e = 1 within 1 % (tested), because P is
+///           continuous at e.
 /// Domain:   α0 from 0 to 45 deg, NaN above. The function uses the magnitude of F_a.
 /// Accuracy: as accurate as the published table. Under preload or at speed, reference_life() is
 ///           more accurate.

@@ -4,8 +4,8 @@
 
 namespace raceway::shaft {
 
-/// Fit subject for a shaft with measured friction torque. The torque is the sum over all bearings,
-/// each in the equilibrium of the sets.
+/// Shaft model as the fit::Subject of a measured friction torque. The torque is the sum over all
+/// bearings, each in the equilibrium of the sets.
 class SetTorqueSubject final : public ShaftSubject {
  public:
   /// Throws std::invalid_argument for a model without a shaft.

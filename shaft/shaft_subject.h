@@ -4,7 +4,7 @@
 
 namespace raceway::shaft {
 
-/// Fit subject for a shaft with measured axial displacement. For measured torque, see
+/// Shaft model as the fit::Subject of a measured axial displacement. For measured torque, see
 /// SetTorqueSubject.
 class ShaftSubject : public model::ModelSubject {
  public:

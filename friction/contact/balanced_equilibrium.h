@@ -10,7 +10,8 @@
 
 namespace raceway::friction::contact {
 
-/// Balls of one bearing while a solver alternates between ball forces and ball rotations.
+/// Rotations of the balls of one bearing, for a solver that alternates between ball forces and ball
+/// rotations.
 class TurningBalls {
  public:
   TurningBalls(const bearing::Bearing& bearing, double speed, const OilState& oil,
