@@ -99,7 +99,7 @@ struct RingPoint {
   PlaneOf<T> free;          ///< inner groove centre without displacement [m]
   T lever;                  ///< R_i [m]
   T moment_arm_ratio;       ///< f_i D / R_i [1]
-  T load[5];                ///< moments divided by the lever [N]
+  T load[5];                ///< forces, and moments divided by the lever [N]
   T load_scale;             ///< largest of the loads [N]
   T ball_scale;             ///< load_scale / Z [N]
   T rounding;               ///< largest residual that rounding errors of lengths cause [1]
