@@ -8,9 +8,9 @@
 
 namespace raceway::bearing {
 
-/// Ring and ball positions. Tilts are multiplied by R_i and moments are divided by R_i, so all
-/// positions are lengths and all loads are forces. The imbalances of all components can then be
-/// divided by one load (load_scale).
+/// Ring and ball positions. Tilts are multiplied and moments are divided by the radius R_i of the
+/// circle of the inner groove centres, so all positions are lengths and all loads are forces. The
+/// imbalances of all components can then be divided by one load (load_scale).
 struct RingState {
   Vector5 ring = Vector5::Zero();
   std::vector<Plane> balls;

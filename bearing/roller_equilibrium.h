@@ -33,8 +33,8 @@ struct LoadedRoller {
   double azimuth = unset;     ///< ψ from +y towards +z [rad]
   double inner_load = unset;  ///< Qi, load at the inner raceway [N]
   double outer_load = unset;  ///< Qo, load at the outer raceway [N]
-  double shift = unset;  ///< u, outward displacement of the roller's middle from the unloaded outer
-                         ///< raceway [m]
+  double shift = unset;  ///< u, outward displacement of the roller from its position at the outer
+                         ///< raceway without load [m]
   double tilt = unset;   ///< f, tilt of the roller's axis in its radial plane [rad]
   /// Loads of the slices, in the order of RollerBearing::positions() [N].
   std::array<double, lamina_count> inner_laminae{}, outer_laminae{};

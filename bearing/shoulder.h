@@ -12,9 +12,8 @@ namespace raceway::bearing {
 ///   inner   cos θ = (R_i - d_s/2)/r_i,   r_i = f_i D,   R_i = d_m/2 + (f_i - 0.5) D cos α0
 ///   outer   cos θ = (d_s/2 - R_o)/r_o,   r_o = f_o D,   R_o = d_m/2 - (f_o - 0.5) D cos α0
 ///
-/// Source:   geometry, derived. The formulas equal cos θ = 1 - h/r with the land heights of
-///           [Harris2006]: h = d_s/2 - (R_i - r_i) at the inner ring, h = R_o + r_o - d_s/2 at the
-///           outer ring.
+/// Source:   geometry, derived. Both formulas equal cos θ = 1 - h/r with the land height h of
+///           [Harris2006]: d_s/2 - (R_i - r_i) at the inner, R_o + r_o - d_s/2 at the outer ring.
 /// Domain:   shoulder diameters d_s that validated(BearingGeometry) accepts.
 [[nodiscard]] double shoulder_angle(const BearingGeometry& geometry, Race race);
 

@@ -104,8 +104,8 @@ struct Learning {
 /// are in units of half the input range. The joint standard deviation of all b_l is 2 misfits. All
 /// a_j and b_l return to 0 with the time constant `forgetting`. v is the noise of a reading. One
 /// UnknownsFilter estimates all unknowns together. The variance of the unknowns is multiplied by
-/// level², which is the mean ratio of actual to expected variance over about the last 32 readings.
-/// The mean includes the expected ratio of 1 with the weight of 8 readings.
+/// level², the mean ratio of the squared residual to its expected variance over about the last 32
+/// readings. The mean includes the expected ratio of 1 with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
 /// deviations. The next reading is then used regardless of the interval. If the reading after a

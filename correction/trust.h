@@ -50,8 +50,8 @@ struct Trust {
 [[nodiscard]] Trust trust_of(const Model& model);
 
 /// Returns the level of trust in a prediction for a record. The level is `do_not_use` if the mean
-/// square of the error exceeds half of the mean square of the displacement (`uncorrected` from
-/// uncorrected_rms() [m]). Otherwise trust_of() gives the level, but `good` becomes `within_range`
+/// square of the error exceeds half of the square of `uncorrected`, the rms displacement from
+/// uncorrected_rms() [m]. Otherwise trust_of() gives the level, but `good` becomes `within_range`
 /// if a row is outside the range of the fit. `errors` are the errors of the prediction, after a
 /// constant is subtracted for each run.
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,

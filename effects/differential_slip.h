@@ -8,7 +8,7 @@
 
 namespace raceway::effects {
 
-/// Friction moment of the slip across the contact ellipses (Heathcote slip) [N m].
+/// Friction moment of the differential slip in the contact ellipses (Heathcote slip) [N m].
 ///
 ///   M = μ Σ 0.0806 Q a²/R ω_roll/ω       over all contacts,  R = 2 f D/(2 f + 1)
 ///

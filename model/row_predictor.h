@@ -47,8 +47,8 @@ class RowPredictor {
 
   /// Returns the inputs of the contact law in a known equilibrium. A caller can compute the contact
   /// friction and pass it to answer_contacts(); predict() then uses it. The result is empty for
-  /// laws other than the contact law, without an equilibrium, for a bearing that the condition
-  /// changes, for traction-controlled balls, and if an effect changes the film.
+  /// laws other than the contact law, without an equilibrium, for
+  /// traction-controlled balls, and if an effect changes the bearing data or the film.
   [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
                                                                            const Steps& steps);
   void answer_contacts(const Model& model, const friction::contact::ContactResult& contacts);

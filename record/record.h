@@ -48,7 +48,7 @@ struct Record {
   std::vector<Note> notes{};  ///< notes of the file reader for the user
   /// True if the readings have an unknown common factor, as for a coast-down with unknown inertia.
   bool up_to_a_factor = false;
-  /// Interval in which a setting is valid; used only in time records.
+  /// Time interval in which the settings of a row are valid; used only in time records.
   SettingsHold settings_hold = SettingsHold::sampled;
   /// Original records, if joined() made this record; otherwise empty. The column of the channel
   /// `part` contains indices into this list.

@@ -60,7 +60,7 @@ struct CoastDownTorque {
 /// averaged in blocks, so that a window contains at most 32 blocks.
 ///
 /// The line number of a row is the line in the middle of its window. The notes state how many
-/// samples were excluded or averaged, and give the line numbers of the first of these samples.
+/// samples were excluded or averaged, and give the line number of the first one.
 /// Domain:   constant inertia, no drive. The function excludes samples before the release
 /// (release.h), samples at standstill or below Rig::minimum_speed, windows in which the shaft
 /// speeds up, and runs with fewer samples than the smallest window. If the shaft is driven up again
