@@ -10,8 +10,8 @@
 ///
 /// If all inputs are valid and within the ranges of the models, the programs compute the same
 /// displacements as `correct`, except for the differences in ControlPlan::notes. All programs
-/// report faults with the same flags: see docs/control.md. `name` is the file name without
-/// extension, as an identifier.
+/// report faults with the same flags: see docs/control.md. `name` is the name of the exported file
+/// without extension, as an identifier of the target language.
 namespace raceway::control {
 
 /// Returns a program for Python 2.7 and 3. The program needs only the standard library.

@@ -73,15 +73,15 @@ struct ControlDrive {
     power,  ///< friction torque from a table times the speed [W]
     motor   ///< exp(-n/n0) while the motor turns, else 0
   } kind = Kind::size;
-  std::vector<std::size_t> inputs{};  ///< indices of the inputs of the kinds rise and size
-  std::size_t reference = nowhere;    ///< index of the reference temperature of a rise
+  std::vector<std::size_t> inputs{};  ///< indices of the inputs, for `rise` and `size`
+  std::size_t reference = nowhere;    ///< index of the reference temperature, for `rise`
   /// Indices of the inputs that supply loads and temperature for the table of a power; `nowhere` if
   /// no input does.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
   double temperature_C = unset;            ///< temperature for the table if no input supplies it
-  std::size_t table = nowhere;             ///< index of the table of the kind power
-  double exponent = 1.0;                   ///< exponent of the kind size
-  double decay_rpm = unset;                ///< n0 of the kind motor
+  std::size_t table = nowhere;             ///< index of the table, for `power`
+  double exponent = 1.0;                   ///< exponent, for `size`
+  double decay_rpm = unset;                ///< n0, for `motor`
   double lowest = unset, highest = unset;  ///< range of a power in the training data [W]
   std::string unit{};                      ///< unit of u, such as "K"
   /// Index of the input of the window: the position of a machine axis. The window is a factor: 0

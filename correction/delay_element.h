@@ -17,9 +17,9 @@ namespace raceway::correction {
 ///           rest. With that formula, u would jump when x changes. The equation above has the same
 ///           step response, and u is continuous.
 /// Units:    displacement u [m], K [m], T [s], x in the unit of its column: W, N.
-/// Domain:   T is positive. A power must be x >= 0; the published lines need 0 <= P < 214.7 W. A
+/// Domain:   T is positive. A power must be x >= 0; the published lines need x < 214.7 W. A
 ///           load may be negative, unless K or T is a power law.
-/// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at P = 0.
+/// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at x = 0.
 ///           Here K(0) = 0, so a spindle at standstill returns to its rest position with the time
 ///           constant T(0).
 struct DelayElement {

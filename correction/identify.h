@@ -74,10 +74,11 @@ struct Identification {
 
 /// Identifies the inputs, the number of lags and the parameters of a model from a record. Gains and
 /// time constants are fitted by variable projection with many starts. The program adds channels and
-/// lags while the rms error on eight held-out parts decreases (see IdentifyOptions). The search
-/// uses means of neighbouring rows; at the end, the parameters are fitted to the single rows.
-/// Gains, time constants and the kinematic law of `model` are start values. Delay elements and
-/// transfer functions with published coefficients remain unchanged.
+/// lags while the rms error on eight held-out parts decreases (see IdentifyOptions). If no part can
+/// be held out, the rms error of the fit decides. The search uses means of neighbouring rows; at
+/// the end, the parameters are fitted to the single rows. Gains, time constants and the kinematic
+/// law of `model` are start values. Delay elements and transfer functions with published
+/// coefficients remain unchanged.
 ///
 /// Throws std::invalid_argument if the record lacks an input of the model or has fewer than three
 /// independent readings per parameter, or if neither `model` nor `offered` has an input.

@@ -58,10 +58,10 @@ struct IdentificationDue {
   std::string reason{};
 };
 
-/// Rms errors of three predictions on the readings between the used readings [m]. Readings before
-/// the first used reading of their run are left out. NaN without such readings.
+/// Rms errors of three predictions on the readings that learn() skips because of
+/// LearningOptions::every [m]; NaN if it skips none.
 struct ErrorBetween {
-  std::size_t readings = 0;
+  std::size_t readings = 0;  ///< number of skipped readings
   /// Model without learning, aligned with the first used reading of each run.
   double first = unset;
   double zeroed = unset;  ///< model without learning, aligned with the latest used reading
@@ -97,15 +97,16 @@ struct Learning {
 /// LearningOptions::misfit. The zero z of a run is unknown until its first reading. Afterwards z is
 /// a random walk of one misfit per root of an hour, plus a drift of half a misfit per hour
 /// (standard deviation) with a correlation time of 12 h. The d_i describe the residual as
-/// independent processes: one with a correlation time of half an hour, and one for each clearly
-/// longer time constant of the model (24 h at most). The standard deviation of the sum of the d_i
-/// is a fifth of a misfit. The a_j are relative changes of the contributions c_j. The b_l are gains
-/// of additional lags of the model inputs, with time constants of 0.5, 2 and 8 h. The responses s_l
-/// are in units of half the input range. The joint standard deviation of all b_l is 2 misfits. All
-/// a_j and b_l return to 0 with the time constant `forgetting`. v is the noise of a reading. One
-/// UnknownsFilter estimates all unknowns together. The variance of the unknowns is multiplied by
-/// level², the mean ratio of the squared residual to its expected variance over about the last 32
-/// readings. The mean includes the expected ratio of 1 with the weight of 8 readings.
+/// independent processes: one with a correlation time of half an hour, and one for each longer time
+/// constant of the model (at most 24 h) that is more than 1.5 times the next shorter correlation
+/// time. The standard deviation of the sum of the d_i is a fifth of a misfit. The a_j are relative
+/// changes of the contributions c_j. The b_l are gains of additional lags of the model inputs, with
+/// time constants of 0.5, 2 and 8 h. The responses s_l are in units of half the input range. The
+/// joint standard deviation of all b_l is 2 misfits. All a_j and b_l return to 0 with the time
+/// constant `forgetting`. v is the noise of a reading. One UnknownsFilter estimates all unknowns
+/// together. The variance of the unknowns is multiplied by level², the mean ratio of the squared
+/// residual to its expected variance over about the last 32 readings. The mean includes the
+/// expected ratio of 1 with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
 /// deviations. The next reading is then used regardless of the interval. If the reading after a

@@ -157,7 +157,7 @@ struct SeenTogether {
 
 /// Residual of the fitted model.
 struct Left {
-  double rms = unset;  ///< rms on held-out parts; of the fit if no part was held out [m]
+  double rms = unset;  ///< rms on held-out parts, or of the fit if no part was held out [m]
   double correlation_time = unset;  ///< correlation time of the residual [s]
 };
 
@@ -180,7 +180,7 @@ struct Model {
   double measured_std = unset;  ///< standard deviation of the noise of a reading [m]
   InitialState initial_state = InitialState::rest;
   double sampling = unset;  ///< sampling interval of published coefficients [s]
-  double offset = 0.0;      ///< displacement without inputs [m]
+  double offset = 0.0;      ///< displacement if all inputs are 0 [m]
   std::vector<DrivenChannel> channels{};
   std::optional<Kinematic> kinematic{};
   std::vector<Effect> effects{};

@@ -78,10 +78,10 @@ struct Beyond {
 [[nodiscard]] Beyond beyond_range(const Model& model, const Series& series);
 
 /// Returns the size of the extrapolation at every row [m]: the sum over all contributions (see
-/// contributions()) of |contribution - contribution with limited inputs|. Each limited input is
-/// clipped to its range; then all inputs are moved towards their means until they are inside the
-/// joint range. The result is 0 if no row is outside a range. After a row outside a range, the
-/// result stays above 0 for some time, because lags have memory.
+/// contributions()) of |contribution - contribution with limited inputs|. To limit the inputs, each
+/// input is first clipped to its range. Then all inputs are moved towards their means until they
+/// are inside the joint range. The result is 0 if no row is outside a range. After a row outside a
+/// range, the result stays above 0 for some time, because lags have memory.
 [[nodiscard]] std::vector<double> extrapolated(const Model& model, const Series& series,
                                                const Beyond& beyond);
 

@@ -71,7 +71,8 @@ class Series {
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
   /// Returns the response of a lag with gain 1 to this input at every row, in the SI unit of the
-  /// input. The response is multiplied by the factor of the window.
+  /// input. If the input has a window, the factor of the window multiplies the response, or the
+  /// input if `of_input` is set.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
   /// Returns n^(1 - B exp(-C n)) at every row, with the speed n in rpm. Above the speed range
   /// `seen` of the fit, continued() extrapolates the value. At standstill, the value is 0.

@@ -16,7 +16,7 @@ struct StepResponse {
   double step = 1.0;    ///< size of the step in `unit`
   std::string unit{};   ///< such as "K"; empty for an input without a unit
   struct Part {
-    std::string name{};   ///< "section 1" for the first lag, or the effect that adds the lag
+    std::string name{};   ///< "section 1", ..., "delay element", or the effect that adds the lag
     double gain = unset;  ///< final displacement after the step [m]
     double time_constant = unset;  ///< [s]
   };

@@ -67,8 +67,8 @@ struct ParallelForm {
   std::vector<Lag> lags{};
 };
 
-/// Returns the parallel form of a transfer function. Throws std::invalid_argument if a pole is
-/// outside the domain of ParallelForm; the message names the pole.
+/// Returns the parallel form of a transfer function. Throws std::invalid_argument if the function
+/// is outside the domain of ParallelForm; the message gives the reason.
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
 
 /// Returns a warning for each kind of pole that no thermal body has: on or outside the unit circle,

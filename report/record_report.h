@@ -25,7 +25,7 @@ struct DrawnModel {
   /// Model that makes the predictions; a correction must be aligned with the record, see aligned().
   std::shared_ptr<const fit::Subject> subject{};
   std::vector<fit::HeldOutReading> held_out{};  ///< readings left out of a fit, and their errors
-  std::vector<files::UsedDefault> defaults{};   ///< defaults that the model file used
+  std::vector<files::UsedDefault> defaults{};   ///< assumed values of the model
   std::vector<double> tolerances{};  ///< for a spindle: tolerance of each measured channel [SI]
 };
 

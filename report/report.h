@@ -20,8 +20,8 @@
 
 /// Writes results as one HTML page with pictures. The page works without internet access. The page
 /// contains the JSON document that `--json` prints, the values in the pictures, and the script that
-/// draws the pictures (report/page/). Equal results give identical files. If there are several
-/// measured channels, the page draws only the first channel.
+/// draws the pictures (report/page/). Equal results give identical files. If a record has several
+/// measured channels, the pages of this header draw only the first channel.
 namespace raceway::report {
 
 /// Returns false in a program that was built with -DRACEWAY_REPORT=OFF. All functions that return a

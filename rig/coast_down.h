@@ -11,8 +11,10 @@ namespace raceway::rig {
 /// Options for dividing a coast-down into windows. Each window gives one row. The defaults are
 /// suitable for records with a few hundred to a million samples.
 struct CoastDownOptions {
-  int windows = 40;        ///< wanted windows per run; more windows give more and noisier rows
-  int fewest_samples = 7;  ///< least samples in a window; 7 leave 4 degrees of freedom for noise
+  int windows = 40;  ///< wanted windows per run; more windows give more and noisier rows
+  /// Smallest number of samples in a window. A window of 7 samples has 4 degrees of freedom for the
+  /// noise.
+  int fewest_samples = 7;
   /// Largest fall of the speed within a window, relative to the speed at the start of the window
   /// [1].
   double largest_fall = 0.25;

@@ -23,9 +23,9 @@ struct Fall {
 ///
 /// ω_e is a Stolarsky mean: the logarithmic mean for p = 1, and sqrt(ω1 ω2) for p = 2.
 /// Source:   derived.
-/// Domain:   ω1 > ω2 > 0, any p; p = 0 and p = 1 are limits.
-/// Accuracy: rounding. The mean of the two speeds would give a relative error of M of p (p + 1)
-///           s²/24 with s = (ω1 - ω2)/ω, 0.25 % for p = 2 at s = 0.1.
+/// Domain:   ω1 > ω2 > 0, any p. For p = 0 and p = 1, the result is the limit of the formula.
+/// Accuracy: rounding. With the mean speed ω instead of ω_e, the relative error of the torque would
+///           be p (p + 1) s²/24 with s = (ω1 - ω2)/ω, for example 0.25 % for p = 2 and s = 0.1.
 [[nodiscard]] double speed_of_mean_torque(double from, double to, double exponent);
 
 /// Computes the friction torque of the rig from the times between given speeds [N m], one row for
@@ -38,7 +38,8 @@ struct Fall {
 /// run, with the same other inputs. The middle speed of a neighbour lies outside the fall of the
 /// row. The fastest or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4. For
 /// two falls, p' is 0; for a single fall, p = 2/3, as for a viscous moment. With p and p' of a
-/// parabola, ω_e is correct to second order in s = (ω1 - ω2)/ω for every smooth law.
+/// parabola, ω_e is correct to second order in s for every smooth law. s = (ω1 - ω2)/ω is the
+/// relative width of the fall, with the mean ω of ω1 and ω2.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
 /// ω_e replaces the speed of the record. If every fall has a standard deviation of the time, the

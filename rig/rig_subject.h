@@ -19,10 +19,10 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the saturated regression, whose residuals are noise. Each term is the torque times a
-  /// term of a cubic polynomial in ln speed, ln axial load and temperature. Radial load, preload
-  /// and ring temperatures add quadratic terms if they vary. For cylindrical rollers, the radial
-  /// load replaces the axial load.
+  /// Returns the saturated regression, which has so many terms that its residuals are noise. Each
+  /// term is the torque times a term of a cubic polynomial in ln speed, ln axial load and
+  /// temperature. Radial load, preload and ring temperatures add quadratic terms if they vary. For
+  /// cylindrical rollers, the radial load replaces the axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// Returns the inputs with random errors: the temperature, if it varies in the record.
   [[nodiscard]] std::vector<const record::Channel*> scattering(
@@ -30,7 +30,8 @@ class RigSubject : public model::ModelSubject {
   /// Returns the quantities by whose powers an effect may be multiplied: speed, load and viscosity
   /// in each row. The load is the resultant of axial and radial load.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Returns inputs and unit of a formula for the moment of one bearing, for a user-defined effect.
+  /// Returns inputs and unit of the power law for a misfit that no effect explains. The power law
+  /// gives the friction moment of one bearing and can become a user-defined effect.
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;

@@ -53,7 +53,7 @@ struct SensorCalibration {
   TorqueSensor sensor;
   int readings = 0, torques = 0, degrees_of_freedom = 0;
   double signal_range = unset;  ///< |V(highest) - V(lowest)|, the reference for relative errors [V]
-  /// Standard deviation of `signal_range`: the uncertainty of the gain [V].
+  /// Standard deviation of `signal_range`, from the uncertainty of the coefficients [V].
   double range_std = unset;
   /// Largest distance of a mean signal at one torque from the best straight line [V].
   double off_line = unset;
@@ -64,8 +64,8 @@ struct SensorCalibration {
   double higher_terms_p_value = unset;
   LackOfFit lack_of_fit{};
   Hysteresis hysteresis{};
-  /// p-value of equal scatter at every torque [Koenker1981] [1]; NaN below 10 readings or without
-  /// scatter.
+  /// p-value of a test for equal scatter at every torque [Koenker1981] [1]; NaN below 10 readings
+  /// or without scatter.
   double even_scatter_p_value = unset;
   /// Scatter in the lower and upper half of the range of |M| [V]; NaN like even_scatter_p_value.
   double scatter_low = unset, scatter_high = unset;

@@ -37,9 +37,10 @@ namespace raceway::spindle {
 ///
 ///   G = Z/(R_i + R_o),   R = K(k)/(2 π a) (1/λ_ball + 1/λ_ring) = R(1 N)/Q^(1/3)
 ///
-/// Z is the number of balls. K is the complete elliptic integral of the first kind. Its modulus k,
-/// k² = 1 - b²/a², does not depend on the load. The semi-axis a is proportional to the cube root of
-/// the contact load Q.
+/// Z is the number of balls, R_i and R_o are the resistances R of the contacts at inner and outer
+/// ring, and λ is a thermal conductivity. K is the complete elliptic integral of the first kind.
+/// Its modulus k, k² = 1 - b²/a², does not depend on the load, because both semi-axes a >= b of the
+/// contact ellipse are proportional to the cube root of the contact load Q.
 /// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
 ///           neglected.
 /// Domain:   loads >= 0; the conductance is zero if a ball touches only one race.

@@ -17,16 +17,16 @@ namespace raceway::spindle {
 ///             and housing at its seats [K]; last the elongation between the sets [um]
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
-/// Friction heat q arises at the raceways. Heat Q flows through the balls from the inner to the
-/// outer raceway. A raceway at T_s is warmer than its cells at the mean temperature a by the
-/// temperature drop over half a cell:
+/// Friction heat q arises at the raceways. Heat Q flows from the inner to the outer raceway through
+/// the balls or rollers and the lubricant. A raceway at T_s is warmer than its cells at the mean
+/// temperature a by the temperature drop over half a cell:
 ///
 ///   T_s = a + w/S,   Q = G (T_si - T_so),   w_i = q_i - Q,   w_o = q_o + Q
 ///
 /// S is the conductance between the raceway and its cells, w is the heat into these cells, and G is
-/// the conductance through the balls. The function bear() computes the bearing loads from radial
-/// loads on the shaft with a beam model. These bearing loads are constant between two calls of
-/// bear(). The elongation is in um so that all elements of s have similar size.
+/// the conductance through balls or rollers and lubricant. The function bear() computes the bearing
+/// loads from radial loads on the shaft with a beam model. These bearing loads are constant between
+/// two calls of bear(). The elongation is in um so that all elements of s have similar size.
 class BearingCoupling {
  public:
   BearingCoupling(const model::Model& model, const effects::SpindleCondition& condition,

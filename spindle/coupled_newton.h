@@ -29,8 +29,9 @@ class CoupledNewton {
  public:
   CoupledNewton(const HeatPaths& paths, BearingCoupling* coupling);
 
-  /// Factorises A = capacity_factor C + G. Returns false if A is not positive definite: a
-  /// body has neither heat capacity nor a path for heat to leave, or a number is not finite.
+  /// Factorises A = capacity_factor C + G, with the heat capacities C and the conductances G.
+  /// Returns false if A is not positive definite: a body has neither heat capacity nor a path for
+  /// heat to leave, or a number is not finite.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
   /// Computes `temperatures` for the right-hand side r = `right`. `given` and `felt` contain start
   /// values of y and s, and receive the solution. If the status is not `converged`, they do not

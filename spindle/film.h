@@ -60,8 +60,12 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
          (film_temperature * nu * nu);
 }
 
-/// Returns the Nusselt number in the common form of both laws of Churchill and Chu, (c + 0.387
-/// Ra^(1/6)/(1 + (d/Pr)^(9/16))^(8/27))² [1], with c = `still` and d = `prandtl_constant`.
+/// Returns the Nusselt number of free convection by Churchill and Chu [1]:
+///
+///   Nu = (c + 0.387 Ra^(1/6)/(1 + (d/Pr)^(9/16))^(8/27))²
+///
+/// The constants c = `still` and d = `prandtl_constant` depend on the shape of the body, see
+/// free_cylinder() and free_plate().
 [[nodiscard]] inline double churchill_chu(double still, double prandtl_constant, double rayleigh,
                                           double prandtl) {
   const double fluid = std::pow(1.0 + std::pow(prandtl_constant / prandtl, 9.0 / 16.0), 8.0 / 27.0);
@@ -147,7 +151,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// The conductance is the heat flow between both surfaces per kelvin and per area at the mean
 /// radius.
 ///
-///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 above 1700,   0.409 Ta^0.241 above 1e4
+///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 if Ta > 1700,   0.409 Ta^0.241 if Ta > 1e4
 ///
 /// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with the length 2 δ
 ///           and the temperatures of both surfaces. A program that computes h from λ/δ instead of
@@ -173,7 +177,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///
 /// Source:   VDI-Wärmeatlas 2002, G1 (walls of one temperature; Gnielinski). The formula was not
 ///           checked against the printed edition. Gnielinski's older formula, which contains Re -
-///           1000, gives 10 % less.
+///           1000, gives 23 % less at Re = 4000, 8 % less at 1e4 and nearly the same above 1e5.
 /// Domain:   Re up to 1e6, straight and smooth channel. A helical channel has a larger Nusselt
 ///           number.
 [[nodiscard]] inline double channel_nusselt(double reynolds, double prandtl,
@@ -285,7 +289,8 @@ struct ChannelFlow {
 ///
 ///   Δp = ξ (l/d_h) ρ v²/2;   throttle  Δp = ρ/2 (V/(0.61 A))²
 ///
-/// ξ is channel_friction(), V the flow, v the mean velocity, and A the area of the orifice.
+/// ξ is channel_friction(), l and d_h are length and hydraulic diameter of the channel, ρ is the
+/// density, v the mean velocity, V the flow, and A the area of the orifice.
 /// Source:   Darcy and Weisbach. The factor 0.61 is within 2 % of ISO 5167 for a sharp-edged
 ///           orifice that is much smaller than the pipe.
 /// Domain:   flow > 0. Bends, fittings and hoses are neglected.

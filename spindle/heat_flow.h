@@ -36,10 +36,11 @@ class HeatFlow {
   void start(const Vector& temperatures) { temperatures_ = temperatures; }
   /// Sets speed and loads of the bearing sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Advances the temperatures by dt [s]. Speed and loads in `inputs` must equal the last argument
-  /// of set_inputs(). Heat transfer coefficients, ring seats, and bearing loads from radial loads
-  /// on the shaft are computed at the temperatures `films` [K]. `machine_rise` is the drift of the
-  /// machine temperature [K]. The temperatures change only if the status is `converged`.
+  /// Advances the temperatures by dt [s]. Speed and loads in `inputs` must equal the speed and
+  /// loads of the last call of set_inputs(). Heat transfer coefficients, ring seats, and bearing
+  /// loads from radial loads on the shaft are computed at the temperatures `films` [K].
+  /// `machine_rise` is the drift of the machine temperature [K]. The temperatures change only if
+  /// the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
   /// Finds the steady state for these inputs. `iterations` receives the number of updates of heat

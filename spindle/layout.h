@@ -57,7 +57,7 @@ struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
   Joints shoulders, collars;
-  Joints clamped;                  ///< spacer to inner ring, if no clamping force is given
+  Joints clamped;  ///< spacers to inner rings, if the model gives no clamping force of inner rings
   std::vector<ClampedFace> faces;  ///< side faces of rings with clamping force
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;

@@ -42,19 +42,21 @@ struct ShaftBearings {
 /// Equilibrium of a bent shaft on its bearings. If the solver did not converge, only `report` is
 /// valid.
 struct LoadedShaft {
-  double position = unset;  ///< axial position as in ArrangementEquilibrium [m]
-  /// Axial displacement of the rear set [m]; NaN without a rear set.
+  /// Axial position of the shaft, zero as mounted, positive towards the tool [m]. Without bearing
+  /// sets, position and axial forces are NaN.
+  double position = unset;
+  /// Axial compression of the rear set [m]; NaN without a rear set.
   double rear_displacement = unset;
   double front_force = unset, rear_force = unset;  ///< axial forces of the bearing sets [N]
   /// Deflection v and slope θ of all nodes, (v, θ), in the planes of y and z [m, rad].
   Eigen::VectorXd y, z;
-  /// Loads on the inner ring of each bearing, and the equilibrium of its balls with ring
-  /// displacement and tangent stiffness. The axis +x of a bearing is the direction in which the
-  /// preload presses the inner ring.
+  /// Load on the inner ring of each bearing. `bearings` contains ball equilibrium, ring
+  /// displacement and tangent stiffness of each bearing. The axis +x of a bearing is the direction
+  /// in which the preload presses the inner ring.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
-  /// Equilibrium of each roller bearing, with x towards the rear. `load` is the load from the
-  /// shaft.
+  /// Equilibrium of each roller bearing, with the x axis towards the rear. `load` is the load from
+  /// the shaft.
   std::vector<bearing::RollerEquilibrium> rollers;
   bearing::SolveReport report;
 };
@@ -98,8 +100,8 @@ class ShaftOnBearings {
 /// Domain:   `places` contains the centres of the bearings, front set first [m]. Each centre must
 ///           be a node of the beam. Throws std::invalid_argument if the number of centres differs
 ///           from the number of bearings.
-/// Accuracy: the force error is at most 1e-9 of the largest load. Second-order effects of the axial
-///           force are neglected.
+/// Accuracy: the force error is at most 1e-9 of the preload or of the largest load, whichever is
+///           larger. Second-order effects of the axial force are neglected.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,
                                              const bearing::Arrangement& arrangement,
                                              std::span<const double> places,
@@ -111,9 +113,10 @@ class ShaftOnBearings {
 /// an O arrangement and the rear set of an X arrangement have such bearings.
 [[nodiscard]] bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i);
 
-/// Returns the tangent stiffness of the bearings as springs of the beam. The stiffness that couples
-/// force and tilt is +K(y, θz) if the preload presses the inner ring to the rear, otherwise -K(y,
-/// θz). At speed, K(y, θz) and K(θz, y) differ by 1 to 2 %; their mean is used.
+/// Returns the tangent stiffness of the bearings as springs of the beam. With the stiffness matrix
+/// K of a bearing, the coupling of force and tilt is +K(y, θz) if the preload presses the inner
+/// ring to the rear, otherwise -K(y, θz). At speed, K(y, θz) and K(θz, y) differ by 1 to 2 %; their
+/// mean is used.
 [[nodiscard]] std::vector<Spring> bearing_springs(
     const bearing::Arrangement& arrangement, std::span<const double> places,
     std::span<const bearing::BearingEquilibrium> bearings);

@@ -31,7 +31,8 @@ struct Cell : Region {
   /// Returns the thermal resistance from the middle of the cell to a face normal to the axis [K/W].
   [[nodiscard]] double half_axial_resistance() const;
   /// Return the thermal resistance between the middle radius r_m and the inner or outer face r_f,
-  /// |ln(r_f/r_m)|/(2 π λ L) [K/W]. The inner resistance of a solid cylinder is infinite.
+  /// |ln(r_f/r_m)|/(2 π λ L) [K/W]. λ is `solid_share` times the conductivity of the material, and
+  /// L is the length of the cell. The inner resistance of a solid cylinder is infinite.
   [[nodiscard]] double inner_half_resistance() const;
   [[nodiscard]] double outer_half_resistance() const;
   [[nodiscard]] double middle_radius() const { return 0.5 * (inner_radius + outer_radius); }

@@ -37,8 +37,8 @@ struct RoundPart {
 ///
 /// a and b are the radii of bore and outer surface, with the pressures p_a and p_b. T is the
 /// temperature, E, ν, α and ρ are material data, and ω is the speed. The three stress fields are
-/// added. The sum is exact, because an axial stress without resultant does not change the radial
-/// growth in press_fit().
+/// added. The sum is exact although press_fit() assumes plane stress: an axial stress without
+/// resultant force does not change the radial growth of bore and outer surface.
 /// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
 ///           (fit), the rotating disc in plane strain (rotation).
 /// Domain:   sections several wall thicknesses away from ends, steps and grooves of the part.

@@ -74,7 +74,7 @@ struct PowerLaws {
 /// or load are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
 /// Returns a curve of the time constant T through all points. `at_rest` is T at zero power or
-/// load [s]; NaN if unknown.
+/// load [s]; it has no effect if it is NaN or if a point is at zero.
 [[nodiscard]] MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest = unset);
 
 }  // namespace raceway::spindle

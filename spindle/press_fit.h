@@ -26,11 +26,12 @@ struct PressFit {
   [[nodiscard]] bool loose() const { return !(pressure > 0.0); }
 };
 
-/// Returns the radial growth of the outer surface r2 of a rotating ring without pressure on its
-/// surfaces [m].
+/// Returns the radial growth of the outer radius r2 of a rotating ring with the bore radius r1,
+/// without pressure on its surfaces [m].
 ///
 ///   u(r2) = ρ ω² r2/(4 E) ((1 - ν) r2² + (3 + ν) r1²);   for u(r1), exchange r1 and r2
 ///
+/// `radius` is r2, and `other_radius` is r1.
 /// Source:   derived from the plane stress of a rotating disc with a hole.
 /// Domain:   r1 >= 0.
 [[nodiscard]] inline double growth_by_rotation(const model::SolidMaterial& m, double radius,
@@ -43,10 +44,11 @@ struct PressFit {
 /// Computes pressure, gap and radial growth of a fit whose parts rotate at the same speed [rad/s].
 ///
 ///   p = (δ/2)/(b (c_i/E_i + c_o/E_o)),   δ = δ0 + 2 (u_i - u_o) + 2 b (α_i T_i - α_o T_o)
-///   c_i = (b² + a²)/(b² - a²) - ν_i,   c_o = (c² + b²)/(c² - b²) + ν_o,   radii a < b < c
+///   c_i = (b² + a²)/(b² - a²) - ν_i,   c_o = (c² + b²)/(c² - b²) + ν_o
 ///
-/// u_i and u_o are growth_by_rotation() of the inner and the outer part at the radius b. T_i and
-/// T_o are temperature rises. δ0 is the diametral interference as mounted and at standstill; a
+/// a is the bore radius of the inner part, b the seat radius, and c the outer radius of the outer
+/// part. u_i and u_o are growth_by_rotation() of the inner and the outer part at the radius b. T_i
+/// and T_o are temperature rises. δ0 is the diametral interference as mounted and at standstill; a
 /// clearance is negative.
 /// Source:   Lamé, plane stress. A solution with radial finite elements agrees to a relative
 ///           difference of 1e-7.

@@ -78,7 +78,7 @@ struct HeatBalance {
 /// Temperatures and heat flow of a coolant circuit.
 struct CircuitState {
   double inlet = unset;   ///< [K]
-  double outlet = unset;  ///< outlet temperature; mean temperature if the coolant stands [K]
+  double outlet = unset;  ///< outlet temperature; mean temperature without flow [K]
   double heat = 0.0;      ///< heat that the coolant flow removes [W]
 };
 
@@ -94,13 +94,13 @@ struct Moment {
   /// Thermal elongation of the shaft minus the elongation of the housing between the centres of the
   /// two bearing sets [m].
   double elongation = unset;
-  double front_force = unset, rear_force = unset;  ///< [N]
+  double front_force = unset, rear_force = unset;  ///< axial force of each bearing set [N]
   HeatBalance heat = {};
   std::vector<double> sources = {};         ///< heat of each source in model::Spindle::heat [W]
-  std::vector<BearingState> bearings = {};  ///< front set, rear set, roller bearings
+  std::vector<BearingState> bearings = {};  ///< front set first, then rear set, then rollers
   std::vector<double> sensors = {};         ///< sensor temperatures in the order of the model [K]
-  /// Outlet temperature of the first coolant circuit, T_in + 2 (T_mean - T_in) [K]; T_mean if the
-  /// coolant stands, NaN without coolant.
+  /// Outlet temperature of the first coolant circuit, T_in + 2 (T_mean - T_in), from the inlet and
+  /// the mean temperature of the coolant [K]; T_mean without flow, NaN without a coolant circuit.
   double coolant_outlet = unset;
   std::vector<CircuitState> circuits = {};  ///< circuits in the order of model::Spindle::channels()
   [[nodiscard]] double thermal_displacement() const {
@@ -118,8 +118,9 @@ struct State {
 struct Report {
   Status status = Status::not_run;
   int steps = 0, rejected = 0;
-  /// Largest error of the heat balance over all steps: |stored heat - supplied heat| divided by all
-  /// heat that the spindle receives and gives off [1].
+  /// Largest error of the heat balance over all steps of simulate(): |stored heat - supplied heat|
+  /// divided by all heat that the spindle receives and gives off [1]. For steady(): |stored heat|
+  /// divided by the heat of bearing friction and all other sources.
   double energy_error = unset;
   std::string message = {};  ///< reason if the simulation did not converge
   [[nodiscard]] bool converged() const { return status == Status::converged; }
@@ -167,8 +168,9 @@ struct SurfaceState {
   double area = unset;         ///< [m²]
   double conductance = unset;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
   double pressure = unset;     ///< [Pa]; NaN for a surface, and for a joint with given conductance
-  /// Heat flow [W]. At a surface: out of the spindle. Through the air gap: from shaft to housing.
-  /// At a clamped ring face: from the ring to its neighbour. NaN for shoulders and collars.
+  /// Heat flow [W]. At a surface and at the flange: out of the spindle. Through the air gap: from
+  /// shaft to housing. At a clamped ring face: from the ring to its neighbour. NaN for shoulders
+  /// and collars.
   double heat = unset;
 };
 
@@ -230,15 +232,16 @@ class Simulator {
   /// Finds the steady state for these inputs. If there is none, `report` gives the reason, and
   /// displacements and forces are NaN.
   [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
-  /// Returns the temperatures of all cells at the end of the last simulate() or steady().
+  /// Returns the temperatures of all cells at the end of the last call of simulate() or steady().
+  /// "The last call" means this call also in the comments below.
   [[nodiscard]] const State& state() const;
   /// Returns the equilibrium of the bearing sets at the end of the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
   /// Returns the bearing sets as mounted; null for a network.
   [[nodiscard]] const bearing::Arrangement* arrangement() const;
   /// Returns the equilibrium of the bent shaft. The last call computed the bearing friction with
-  /// the bearing loads of this equilibrium. The result is null for a network. It is also null if
-  /// the shaft has no radial load, no moment and no roller bearing.
+  /// the bearing loads of this equilibrium. The result is null for a network, and if the shaft has
+  /// no radial load, no moment and no roller bearing.
   [[nodiscard]] const LoadedShaft* shaft() const;
   /// Returns speed, axial load, ring shifts and elongation of the bearing sets in the last call;
   /// null for a network.

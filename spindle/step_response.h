@@ -14,9 +14,9 @@ namespace raceway::spindle {
 /// spindle.
 enum class Stepped { speed, axial_load, radial_load };
 
-/// Response of a spindle to a step at t = 0. A spindle at rest responds to a step of speed or
-/// power. A rotating spindle in its steady state responds to a load step; its displacements are
-/// relative to the steady state without the load.
+/// Response of a spindle to a step at t = 0. A speed step starts from rest, as does a step of the
+/// friction loss in an imported load case. A load step starts from the steady state of a rotating
+/// spindle, and the displacements are relative to the steady state without the load.
 struct StepResponse {
   Stepped stepped = Stepped::speed;
   double load = unset;         ///< load after the step [N]; NaN: step of speed or power
@@ -44,7 +44,7 @@ struct CoolDown {
   StepFit fit = {};  ///< fit to the decrease of the displacement
   /// Time constants of the cooling [s], fitted with the gains of the preceding step. They are the
   /// time constants at the friction loss 0 W. `one` belongs to the fit with one lag, `fast` and
-  /// `slow` belong to the fit with two lags.
+  /// `slow` belong to the fit with two lags, and are NaN if the step has no such fit.
   double one = unset, fast = unset, slow = unset;
   [[nodiscard]] bool known() const { return one > 0.0; }
 };
@@ -54,13 +54,15 @@ struct LoadSteps {
   Stepped stepped = Stepped::axial_load;
   double speed = unset;                  ///< [rad/s]
   std::vector<StepResponse> steps = {};  ///< in ascending order of load
-  double unloaded = unset;               ///< time constant after removal of the largest load [s]
+  /// Time constant after removal of the load with the largest absolute value [s]; NaN if its load
+  /// step or the removal did not converge.
+  double unloaded = unset;
 };
 
 struct StepResponses {
   std::vector<StepResponse> steps = {};  ///< in the order of the request
   CoolDown cool_down = {};
-  std::vector<LoadSteps> loads = {};  ///< axial loads first, in the order of speeds
+  std::vector<LoadSteps> loads = {};  ///< axial loads first; each load type in order of speeds
 };
 
 struct StepOptions {
@@ -79,8 +81,8 @@ struct StepOptions {
 /// The friction loss is not constant during a step: it may fall by half as the oil becomes thinner.
 /// Gain and time constant are assigned to the friction loss at the end of the step. Throws
 /// std::invalid_argument for a model that is not a spindle, for speeds that are not above 0, and
-/// for a duration of fewer than three rows. A step that did not converge has only a speed, a status
-/// and a message.
+/// for a duration shorter than three intervals between rows. A step that did not converge has only
+/// a speed, a status and a message.
 [[nodiscard]] StepResponses step_responses(const model::Model& model,
                                            std::span<const double> speeds,
                                            const StepOptions& options = {});

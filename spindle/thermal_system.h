@@ -17,8 +17,8 @@ struct CylinderHeat {
   Vector inner, outer;
 };
 
-/// Cells of a spindle with all heat paths except through the bearings. BearingCoupling computes
-/// friction and heat conduction of the bearings.
+/// Cells of a spindle with all heat paths except the paths through the bearings. BearingCoupling
+/// computes friction and heat conduction of the bearings.
 ///
 /// Heat transfer coefficients and ring seats depend on the temperatures that are passed to
 /// update(). They are constant within a time step.

@@ -47,8 +47,9 @@ class WarmSets {
 
   /// Sets speed and axial load. Returns false if the cold bearing sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
-  /// Computes equilibrium and friction heat. Returns false if the sets have no equilibrium; the
-  /// results then remain unchanged.
+  /// Computes equilibrium and friction heat. Returns false if the sets have no equilibrium, if a
+  /// ring temperature is outside 50 to 800 K, or if a friction value is not finite. The results
+  /// then remain unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
   /// Replaces the axial bearing loads by the bearing loads of the bent shaft, at the temperatures
   /// of the last solve(). If `bent` is null, only axial loads act. Returns false if a friction

@@ -14,7 +14,7 @@ struct NumberField {
   std::string_view name;
   double Part::*number;
   std::string_view unit;  ///< "u": um per unit of the drive u; "input": unit of the input
-  bool required = false;  ///< false: optional; default: the value in `Part{}`
+  bool required = false;  ///< false: optional, with the default in `Part{}`
   double lowest = -1e30;
   double highest = 1e30;
 };

@@ -18,7 +18,7 @@ struct LearntPart {
   std::string name{};   ///< name of the contribution that the gain scales, or channel of the lag
   bool is_lag = false;  ///< true: an additional lag that the model lacks
   double time_constant = unset;  ///< time constant of the lag [s]
-  /// For a lag: `weights` divided by the response of the lag, in the SI unit of its input.
+  /// For a lag: ratio of `weights` to the response of the lag [1 over the SI unit of its input].
   double gain = unset;
 };
 

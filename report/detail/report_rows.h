@@ -33,7 +33,8 @@ class ReportRows {
   /// Adds a column with the standard deviation of each reading [SI]; NaN means unknown.
   void add_std(std::vector<double> std);
   /// Adds the predictions of a model as the next column `predicted_0_UNIT`, `predicted_1_UNIT`,
-  /// ..., its RMS error, and a map of its errors over the inputs. Call it after add_std().
+  /// ..., its RMS error, and a map of its errors over the inputs. Call this function after
+  /// add_std().
   void add_model(const std::string& name, const verdict::Comparison& comparison);
 
   void finish(Document& document) const;

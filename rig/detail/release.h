@@ -27,8 +27,9 @@ struct ReleaseOptions {
 ///
 /// The release is a kink of ω(t). Friction of a free shaft depends on its speed, so dω/dt does not
 /// jump, but the torque of a drive ends abruptly. At every sample, two least-squares models are
-/// compared. Both models use the samples before (4 or more) and after this sample (`fewest` or
-/// more), within a speed change of `largest_fall`:
+/// compared. Both models use a window around this sample, in which the speed changes by at most
+/// `largest_fall`. Several window lengths are tried. A window has at least 4 samples before this
+/// sample, as far as there are any, and at least `fewest` samples after it:
 ///
 ///   released   a line before, a separate parabola after: 5 parameters
 ///   free       one polynomial of degree five: 6 parameters
