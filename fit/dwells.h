@@ -13,8 +13,9 @@ inline constexpr record::Channel dwell_rows{
     .name = "dwell_rows", .words = "rows of a dwell", .role = record::Role::deviation};
 inline constexpr record::Channel dwell_last_line{
     .name = "dwell_last_line", .words = "last line of a dwell", .role = record::Role::deviation};
-/// Number that identifies the operating state. Pieces of one dwell have the same number. Dwells
-/// with equal settings have the same number if only rows outside dwells separate them.
+/// Number that identifies the operating state. If a dwell is divided into several rows, these rows
+/// have the same number. Dwells with equal settings have the same number if only rows outside
+/// dwells separate them.
 inline constexpr record::Channel dwell_state{
     .name = "dwell_state", .words = "state of a dwell", .role = record::Role::deviation};
 /// Standard deviation of the mean reading of a dwell, from the scatter of its rows, divided by the

@@ -56,7 +56,7 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
 /// original load.
 [[nodiscard]] bool uses_power(const Model& model, const Steps& steps);
 /// Returns the friction power of the base law at the original load [W]. For the contact law, the
-/// balls are solved first.
+/// function first solves the equilibrium of the balls.
 [[nodiscard]] double entered_power(const Model& model, friction::BearingState<double> entered,
                                    const bearing::OperatingPoint& point);
 

@@ -130,8 +130,8 @@ class LoopModel {
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
   /// Returns the properties of a time record that limit the quality of this correction: sampling,
-  /// noise, range of time constants, resolution, and warnings. The result is empty for models that
-  /// are not corrections.
+  /// noise, resolution and the range of time constants that the record can determine, with
+  /// warnings. The result is empty for models that are not corrections.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 

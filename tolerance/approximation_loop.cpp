@@ -435,10 +435,10 @@ class Inquiry {
           std::all_of(near.begin(), near.end(), [](const Tried* t) { return t->is_wrong_data(); }))
         return false;
       result_.messages.push_back(record::note::plan(fmt::format(
-          "{} explains the displacement better than the effects of the catalogue "
-          "(held-out error {}), but no mechanism is known for this column. Is the sensor of "
+          "with a held-out error of {}, {} explains the displacement better than the effects "
+          "of the catalogue, but no mechanism is known for this column. Is the sensor of "
           "this column on the part that moves?",
-          column->ids().front(), error(*column))));
+          error(*column), column->ids().front())));
     }
     found_ = std::move(near);
     result_.verdict = found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;

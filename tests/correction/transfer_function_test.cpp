@@ -202,7 +202,8 @@ TEST(ParallelForm, RefusesWhatIsNoSumOfLags) {
   EXPECT_THAT(refusal({1.0}, {1, -1.2, 0.72}), testing::HasSubstr("are complex"));
   EXPECT_THAT(refusal({1.0}, {1, 0.5}), testing::HasSubstr("the pole -0.5 is not between"));
   EXPECT_THAT(refusal({1.0}, {1, -1.0}), testing::HasSubstr("the pole 1 is not between"));
-  EXPECT_THAT(refusal({1.0, 0.0, 2.0}, {1, -0.5}), testing::HasSubstr("longer"));
+  EXPECT_THAT(refusal({1.0, 0.0, 2.0}, {1, -0.5}),
+              testing::HasSubstr("more coefficients than the denominator"));
   EXPECT_THAT(refusal({1.0}, {1, -1.0, 0.25}), testing::HasSubstr("occurs twice"));
   EXPECT_EQ(parallel_form({{2.0}, {1.0}, 1.0}).lags.size(), 0u);
 }

@@ -257,7 +257,8 @@ TEST(SensorCalibration, RefusesWhatIsNoCalibration) {
       refusal(readings({0, 1}, line)),
       HasSubstr(
           "2 readings at 2 reference torques: a line needs at least 3 readings at 2 torques"));
-  EXPECT_THAT(refusal(readings({0, 1, 2, 3}, line), 3), HasSubstr("a cubic needs 5 readings"));
+  EXPECT_THAT(refusal(readings({0, 1, 2, 3}, line), 3),
+              HasSubstr("a cubic needs at least 5 readings at 4 torques"));
   EXPECT_THAT(refusal(readings({0, 1, 2, 3, 4}, line), 4), HasSubstr("must be from 1 to 3"));
   EXPECT_THAT(refusal({}), HasSubstr("no readings"));
   const std::vector<double> tiny{0, 1e-310, 2e-310, 3e-310, 4e-310};
