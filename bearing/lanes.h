@@ -12,7 +12,7 @@
 /// differ between lanes selects by mask instead of branching.
 namespace raceway::bearing {
 
-/// Result of a comparison of two T, and the number of points in a T.
+/// Type of the result of a comparison of two T, and the number of points in a T.
 template <typename T>
 struct Lanes {
   using Mask = typename T::batch_bool_type;

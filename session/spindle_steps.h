@@ -79,7 +79,7 @@ struct StepCorrectionQuestion {
   std::string law = "curve";                     ///< form of K(P) and T(P): "curve", "power" or
                                                  ///< "line"
   std::string lags = "auto";                     ///< number of lags: "one", "two" or "auto"
-  Wording wording = Wording::arguments;          ///< selects the argument names in notes
+  Wording wording = Wording::arguments;          ///< how notes name these options
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
