@@ -101,68 +101,73 @@ double LoadShares::violation(const std::vector<InnerContact>& contacts, RingStat
   return worst;
 }
 
-void LoadShares::set_outer_angle(double axial, Share& share) const {
-  // Newton's method on axial cos αo - radial sin αo = To, with m, τ and Fc that follow αo.
+LoadShares::Excess LoadShares::set_forces(double axial, double radius, Share& share) const {
   const BallConstantsOf<double>& c = constants_;
   const double si = std::sin(share.inner_angle), ci = std::cos(share.inner_angle);
-  for (int i = 0; i < 8; ++i) {
-    const double so = std::sin(share.outer_angle), co = std::cos(share.outer_angle);
-    const double cd = ci * co + si * so, sd = si * co - ci * so, g = c.diameter_ratio;
-    const double m = (cd - g * co) / (1.0 + cd);
-    const double m_o = (sd + g * so - m * sd) / (1.0 + cd);
-    const double scale = 0.2 * c.full_centrifugal * c.gyroscopic;
-    share.tau = scale * m * (1.0 - m);
-    const double tau_o = scale * (1.0 - 2.0 * m) * m_o;
-    share.radial = axial * ci / si - share.tau;
-    const double radial = share.radial + c.full_centrifugal * m * m;
-    share.outer_load = axial * so + radial * co;
-    const double h = axial * co - radial * so - share.tau * si;
-    const double slope =
-        share.outer_load + (2.0 * c.full_centrifugal * m * m_o - tau_o) * so + tau_o * si;
-    const double step = std::clamp(h / slope, -0.3, 0.3);
-    share.outer_angle = std::clamp(share.outer_angle + step, -1.2, 1.2);
-    if (!(std::abs(step) > 1e-7)) break;
-  }
+  const double so = std::sin(share.outer_angle), co = std::cos(share.outer_angle);
+  const double cd = ci * co + si * so, sd = si * co - ci * so, g = c.diameter_ratio;
+  // Of m = ω_m/ω, the couple and the centrifugal force: _i and _o per radian of αi and αo.
+  const double m = (cd - g * co) / (1.0 + cd);
+  const double m_i = -sd * (1.0 - m) / (1.0 + cd);
+  const double m_o = (sd + g * so - m * sd) / (1.0 + cd);
+  const double couple = 0.2 * c.full_centrifugal * c.gyroscopic;
+  share.tau = couple * m * (1.0 - m);
+  const double tau_m = couple * (1.0 - 2.0 * m), tau_i = tau_m * m_i, tau_o = tau_m * m_o;
+  const double centrifugal = c.full_centrifugal * m * m,
+               centrifugal_m = 2.0 * c.full_centrifugal * m;
+  share.radial = axial * ci / si - share.tau;
+  const double turned = axial / (si * si);
+  const double radial = share.radial + centrifugal;
+  const double radial_i = centrifugal_m * m_i - tau_i - turned;
+  const double radial_o = centrifugal_m * m_o - tau_o;
   share.inner_load = axial / si - share.tau * ci;
+  share.outer_load = axial * so + radial * co;
+  const double outer_load = std::max(share.outer_load, 0.0);
+  const double outer_root = std::cbrt(outer_load / c.outer_stiffness);
+  const double inner_root = std::cbrt(share.inner_load / c.inner_stiffness);
+  const double inner_approach = inner_root * std::abs(inner_root);
+  const double outer = c.outer_radius + outer_root * outer_root;
+  const double inner = c.inner_radius + inner_approach;
+  share.ball = {outer * so, outer * co};
+  share.groove = {share.ball.axial + inner * si, share.ball.radial + inner * ci};
+  // A share of the axial load below which an approach per load is that of this share.
+  const double least = 1e-3 * axial;
+  const double per_inner =
+      ci * std::abs(inner_approach) / (1.5 * std::max(std::abs(share.inner_load), least));
+  const double per_outer = co * outer_root * outer_root / (1.5 * std::max(outer_load, least));
+  const double across = axial * co - radial * so;
+  return {.force = across - share.tau * si,
+          .force_i = -radial_i * so - tau_i * si - share.tau * ci,
+          .force_o = -share.outer_load - radial_o * so - tau_o * si,
+          .radius = share.groove.radial - radius,
+          .radius_i = -inner * si + per_outer * radial_i * co +
+                      per_inner * (share.tau * si - tau_i * ci - turned * ci),
+          .radius_o = -outer * so - per_inner * tau_o * ci + per_outer * (across + radial_o * co)};
 }
 
 LoadShares::Share LoadShares::share_at(double axial, double radius, const Share& near) const {
-  constexpr double least_angle = 1e-3, most_angle = 1.55;  // [rad]
-  const BallConstantsOf<double>& c = constants_;
+  constexpr double least_angle = 1e-3, most_angle = 1.55, most_outer_angle = 1.2;  // [rad]
+  constexpr double longest_step = 0.3;                                             // [rad]
+  constexpr double largest_fall = 0.6;  // of the inner angle
+  constexpr double tolerance = 1e-8;    // of the loads and of the outer distance
+  constexpr int most_steps = 20;
   Share share = near.found ? near : Share{};
   share.found = false;
   if (!(share.inner_angle > 0.0))
     share.inner_angle =
-        std::acos(std::clamp((radius - thrown_.radial) / c.inner_radius, 0.05, 0.99));
-  double last_angle = unset, last_missing = unset;
-  for (int round = 0; round < 12; ++round) {
-    set_outer_angle(axial, share);
-    const double angle = share.inner_angle, si = std::sin(angle), ci = std::cos(angle);
-    const double so = std::sin(share.outer_angle), co = std::cos(share.outer_angle);
-    const double outer_load = std::max(share.outer_load, 0.0);
-    const double outer_root = std::cbrt(outer_load / c.outer_stiffness);
-    const double inner_root = std::cbrt(share.inner_load / c.inner_stiffness);
-    const double inner_approach = inner_root * std::abs(inner_root);
-    const double outer = c.outer_radius + outer_root * outer_root;
-    const double inner = c.inner_radius + inner_approach;
-    share.ball = {outer * so, outer * co};
-    share.groove = {share.ball.axial + inner * si, share.ball.radial + inner * ci};
-    const double missing = radius - share.groove.radial;
-    share.found = std::abs(missing) < 1e-8 * outer;
-    if (share.found || !std::isfinite(missing)) break;
-    // Newton's step with the outer angle held, then secants: the approaches follow the loads.
-    const double per_inner = std::max(std::abs(share.inner_load), 1e-3 * axial);
-    const double per_outer = std::max(outer_load, 1e-3 * axial);
-    double slope = -inner * si +
-                   ci * std::abs(inner_approach) / (1.5 * per_inner) *
-                       (share.tau * si - axial * ci / (si * si)) -
-                   co * co * outer_root * outer_root / (1.5 * per_outer) * axial / (si * si);
-    const double secant = -(missing - last_missing) / (angle - last_angle);
-    if (secant < 0.0 && std::isfinite(secant)) slope = secant;
-    last_angle = angle;
-    last_missing = missing;
-    share.inner_angle = std::clamp(angle + missing / slope, std::max(least_angle, 0.4 * angle),
-                                   std::min(most_angle, angle + 0.3));
+        std::acos(std::clamp((radius - thrown_.radial) / constants_.inner_radius, 0.05, 0.99));
+  for (int step = 0; step < most_steps; ++step) {
+    const Excess e = set_forces(axial, radius, share);
+    share.found = std::abs(e.radius) < tolerance * constants_.outer_radius &&
+                  std::abs(e.force) < tolerance * (std::abs(share.outer_load) + axial);
+    const double determinant = e.force_i * e.radius_o - e.force_o * e.radius_i;
+    const double inner = (e.force_o * e.radius - e.force * e.radius_o) / determinant;
+    const double outer = (e.force * e.radius_i - e.force_i * e.radius) / determinant;
+    if (share.found || !std::isfinite(inner) || !std::isfinite(outer)) break;
+    share.inner_angle += std::clamp(inner, -largest_fall * share.inner_angle, longest_step);
+    share.inner_angle = std::clamp(share.inner_angle, least_angle, most_angle);
+    share.outer_angle += std::clamp(outer, -longest_step, longest_step);
+    share.outer_angle = std::clamp(share.outer_angle, -most_outer_angle, most_outer_angle);
   }
   return share;
 }

@@ -56,11 +56,18 @@ class LoadShares {
     Plane groove, ball;
   };
 
+  /// By how much a share differs from equilibrium, with derivatives (_i, _o: per radian of the
+  /// inner and the outer contact angle).
+  struct Excess {
+    double force, force_i, force_o;     ///< force on the ball across the outer contact [N]
+    double radius, radius_i, radius_o;  ///< radius of the inner groove centre, beyond the given [m]
+  };
+
+  /// Computes the other members of `share` from its contact angles.
+  [[nodiscard]] Excess set_forces(double axial, double radius, Share& share) const;
   /// Computes forces and angles of a kept ball that carries this axial force, with its inner groove
-  /// centre at this radius. The iteration starts from `near`.
+  /// centre at this radius, by Newton's method on both contact angles from `near`.
   [[nodiscard]] Share share_at(double axial, double radius, const Share& near) const;
-  /// Computes the other members of `share` from the inner contact angle.
-  void set_outer_angle(double axial, Share& share) const;
   [[nodiscard]] bool ring_of(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool even_ring(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool linear_ring(const Sums& sums, double moment, Vector5& ring) const;
