@@ -36,7 +36,8 @@ struct PreloadForce {
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// Axial clamping travel after the first contact of both sets: the gap ground into the faces [m].
+/// Preload as a gap that clamping closes [m]: axial travel from the position in which both sets
+/// just touch, without load, to the clamped position.
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
@@ -117,9 +118,10 @@ class Arrangement {
   ///   (1 - m) (c K_r, K_r) + m (1, 0)     for an entered rigid mounting
   ///   (1 - m) (1, k) + m (c K_r, K_r)     for an entered spring
   ///
-  /// K_r is the stiffness of the rear set as mounted. The rear set and its seat, in series, then
-  /// have the stiffness (1 - m) K_r if a rigid mounting has c = 0, and m K_r if a spring has k = 0.
-  /// For a small displacement, the change of the rear force is therefore linear in m.
+  /// K_r is the stiffness of the rear set as mounted. If c = 0, the rear set and its seat in series
+  /// have the stiffness (1 - m) K_r with an entered rigid mounting, and m K_r with an entered
+  /// spring of constant force (k = 0). For a small displacement, the change of the rear force is
+  /// then linear in m.
   struct Seat {
     double softness, hardness;
   };
@@ -135,7 +137,7 @@ class Arrangement {
 /// External axial loads, positive towards the tool, at which one side of the mounted arrangement
 /// becomes unloaded at standstill [N].
 /// Source: geometry of the mounted state; the force law F ~ δ^1.5 gives a lift-off load of 2.83
-///         times the preload for a pair [SNFA, p. 33].
+///         times the preload for a pair of equal bearings [SNFA, p. 33].
 struct LiftOff {
   double front = unset;  ///< load at which the front set becomes unloaded
   /// Load at which the rear set becomes unloaded. The value is NaN without a rear set (tandem), if

@@ -45,8 +45,8 @@ struct SetTemperatures {
 ///
 /// λ_r and λ_b are the thermal expansion coefficients of rings and balls. T_i, T_o and T_b are the
 /// temperatures of inner ring, outer ring and balls, and T is the temperature of the ring of the
-/// groove. f, D, B and α0 are as in BearingGeometry. A uniform temperature only scales a bearing of
-/// one material.
+/// groove. f, D, B and α0 are as in BearingGeometry. If rings and balls have the same material and
+/// the same temperature, all dimensions of the unloaded bearing change by the same factor.
 /// Source: derived. The formulas ignore interference fits and the stiffness of shaft and housing.
 [[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
                                       double mounting_temperature);

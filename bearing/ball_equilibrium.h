@@ -57,7 +57,7 @@ struct BallForcesOf {
 ///
 /// The coordinates are (axial, radial) with the outer groove centre at the origin. X is the ball
 /// centre, A the inner groove centre, V = A - X. n and t are the normal and the tangent of a
-/// contact:
+/// contact. f_i, f_o, D, d_m and R_i are as in BearingGeometry:
 ///
 ///   n = (sin α, cos α),  t = (cos α, -sin α),   sin αo = X1/|X|,  sin αi = V1/|V|
 ///   Q = K δ^1.5,  δo = |X| - (f_o - 0.5) D,  δi = |V| - (f_i - 0.5) D
@@ -65,16 +65,17 @@ struct BallForcesOf {
 ///   force on the ring   f = Qi ni + Ti ti
 ///   moment / R_i        f_m = f_axial - (f_i D / R_i) Ti   (Ti acts at the groove surface)
 ///
-/// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. The gyroscopic couple M_g = J ω_m ω_R sin β is
-/// balanced by friction T = λ M_g/D. Under outer control the friction acts only at the outer race
-/// (λo = 2): To = 0.4 Fc sin αo and Ti = 0.
+/// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. ω_m, ω_R and β are as in BallSpeeds, ω is the
+/// shaft speed, and J is the moment of inertia of a ball. The gyroscopic couple M_g = J ω_m ω_R
+/// sin β is balanced by the friction forces T = λ M_g/D. Under outer control the friction acts only
+/// at the outer race (λo = 2): To = 0.4 Fc sin αo and Ti = 0.
 ///
 /// Under inner control the friction is equal at both races (λi = λo = 1): Ti = To = 0.2 C m (1 - m)
-/// sin αi. (M_g uses ω_R and β of kinematics.h. The product ω_R sin β is a rational function of
-/// sines and cosines.) Sign: M_g > 0 lowers αo. Equations (14) and (18) of [CaseStudy], taken
-/// together, have the wrong sign. A ball without inner contact (δi <= 0) is under outer control and
-/// exerts no force on the inner ring. Under inner control the forces jump when the contact is lost,
-/// so some loads have no equilibrium. For a given rotation, m, Ti and To follow from GivenRotation.
+/// sin αi. (The product ω_R sin β is a rational function of sines and cosines.) Sign: M_g > 0
+/// lowers αo. Equations (14) and (18) of [CaseStudy], taken together, have the wrong sign. A ball
+/// without inner contact (δi <= 0) is under outer control and exerts no force on the inner ring.
+/// Under inner control the forces jump when the contact is lost, so some loads have no equilibrium.
+/// For a given rotation, m, Ti and To follow from GivenRotation.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -91,7 +92,7 @@ using BallBalance = BallBalanceOf<double>;
 /// Contact of a ball with the inner race. With `automatic`, the ball touches the race if δi > 0.
 /// `kept` and `lost` fix the state of the contact while a solver searches. A `kept` contact may be
 /// in tension: Q = K δ |δ|^0.5, smooth through zero. A solution is valid only if no `kept` contact
-/// is in tension.
+/// is in tension and no ball with a `lost` contact penetrates the race.
 enum class InnerContact : signed char { automatic, kept, lost };
 
 /// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
@@ -231,8 +232,9 @@ template <Rotation rotation, typename T>
   const T delta_o = outer_length - c.outer_radius;
   const T delta_i = inner_length - c.inner_radius;
   const T product = outer_length * inner_length, straight = x1 * v1 + x2 * v2;
-  // For a ball without inner contact the inner groove centre may lie behind the ball. No contact is
-  // possible there. cos(αi - αo) is then set to -1/2, far from the pole at -1.
+  // For a ball without inner contact the inner groove centre may lie behind the ball, where no
+  // contact is possible. cos(αi - αo) is then set to -1/2, because 1/(1 + cos(αi - αo)) has a pole
+  // at -1.
   const Mask<T> behind = straight < -0.5 * product;
   const Mask<T> touches = contact == InnerContact::automatic
                               ? delta_i > T(0.0) && !behind

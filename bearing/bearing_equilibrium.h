@@ -25,10 +25,10 @@ struct EquilibriumOptions {
   bool gyroscopic_moment = true;  ///< false omits the moment M_g of the balls, for comparison
   double tolerance = 1e-11;       ///< largest accepted imbalance, relative to the load [1]
   int max_iterations = 2000;      ///< limit of the Newton steps, summed over all search stages
-  /// Rotations of the balls, used instead of race control: one for each ball by azimuth, or one for
-  /// all balls. Balls that are equal by symmetry need equal rotations. An arrangement needs one
-  /// rotation for each bearing. At rest the rotations are ignored. The array must exist until the
-  /// solve ends.
+  /// Rotations of the balls, used instead of race control: one for each ball, in the order of
+  /// azimuth, or one for all balls. Balls that are equal by symmetry need equal rotations. An
+  /// arrangement needs one rotation for each bearing. At rest the rotations are ignored. The array
+  /// must exist until the solve ends.
   std::span<const GivenRotation> rotations = {};
 };
 

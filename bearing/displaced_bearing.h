@@ -58,7 +58,8 @@ class DisplacedBearing {
   bool one_shoulder_;
   std::vector<Plane> balls_;
   bool placed_ = false;
-  Vector5 ring_ = Vector5::Zero();  ///< tilts times the lever, shift included [m]
+  /// Ring displacement with the shift; tilts are multiplied by RingPoint::lever [m].
+  Vector5 ring_ = Vector5::Zero();
   Vector5 force_ = Vector5::Constant(unset);
   Matrix5 stiffness_ = Matrix5::Constant(unset);
 };

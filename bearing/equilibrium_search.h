@@ -17,15 +17,15 @@ namespace raceway::bearing {
 ///   4. following the solution from standstill to full speed,
 ///   5. if the axial load is small, following the solution from the radial load without axial load,
 ///   6. under inner control, states in which the least loaded balls have lost the inner race, then
-///      the sets of step 2 in which one ball was changed, again with more Newton steps,
+///      sets of contacts that differ from a set of step 2 by one ball, with more Newton steps,
 ///   7. under inner control, the contacts that occur on a grid of ring positions (contact_scan.h).
 ///
 /// Without axial load, only step 4 is possible. Under outer control the forces are continuous in
 /// the displacement, and these steps find every equilibrium that is known to exist. Under inner
 /// control the gyroscopic couple vanishes with the contact, so an equilibrium may exist only for
-/// one combination of lost contacts. Steps 2 and 6 try the likely combinations. Step 7 tries the
-/// combinations that occur on the grid. The search misses 0.01 % of the existing equilibria
-/// (docs/solver.md).
+/// one combination of lost contacts. Steps 2 and 6 try the likely combinations of lost contacts,
+/// and step 7 tries the combinations that occur on a grid of ring positions. The search misses 0.01
+/// % of the existing equilibria (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

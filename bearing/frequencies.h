@@ -9,7 +9,7 @@
 namespace raceway::bearing {
 
 /// Damage frequencies of a bearing per shaft revolution [1]. Multiply by the shaft's revolutions
-/// per second for Hz.
+/// per second for Hz. ω is the shaft speed, ω_m the orbital speed of the Z balls.
 struct BearingFrequencies {
   double cage = unset;        ///< FTF, fundamental train frequency with a fixed outer ring: ω_m/ω
   double outer_race = unset;  ///< BPFO, balls that pass a point of the outer race: Z ω_m/ω

@@ -17,7 +17,8 @@ struct Curvature {
 ///
 ///   Σρ D = 4 - 1/f ± 2γ/(1 ∓ γ),   F(ρ) Σρ D = 1/f ± 2γ/(1 ∓ γ),   γ = D cos α / d_m
 ///
-/// The upper signs apply to the inner race. Source: [Harris2006, vol. 1, eqs. 2.26-2.33].
+/// f is the conformity of the race, D the ball diameter, and d_m the pitch diameter. The upper
+/// signs apply to the inner race. Source: [Harris2006, vol. 1, eqs. 2.26-2.33].
 /// Domain: f > 0.5, γ < 1.
 [[nodiscard]] Curvature groove_curvature(const BearingGeometry& geometry, Race race,
                                          double contact_angle);
@@ -28,8 +29,10 @@ struct Curvature {
 ///   a* = (2 κ² E / π)^(1/3),  b* = (2 E / (π κ))^(1/3),  δ* = (2 F/π) (π / (2 κ² E))^(1/3)
 ///   F(ρ) = ((κ² + 1) E - 2 F) / ((κ² - 1) E),  η = (1-ν1²)/E1 + (1-ν2²)/E2
 ///
-/// κ = a/b >= 1; F and E are the complete elliptic integrals of modulus k = sqrt(1 - 1/κ²) (the
-/// argument of Boost's functions is k, not k²). Source: [Harris2006, vol. 1, eqs. 6.25-6.43].
+/// Q is the load, δ the approach, and a and b are the half axes of the contact ellipse. E1, E2, ν1
+/// and ν2 are elastic moduli and Poisson ratios of both bodies. κ = a/b >= 1; F and E are the
+/// complete elliptic integrals of modulus k = sqrt(1 - 1/κ²) (the argument of Boost's functions is
+/// k, not k²). Source: [Harris2006, vol. 1, eqs. 6.25-6.43].
 /// Domain:   0 <= F(ρ) < 1; F(ρ) = 0 is the circular contact.
 /// Accuracy: κ to 1e-14 relative. Physically, the theory assumes dry, frictionless, elastic half
 ///           spaces. For close-fitting grooves (f < 0.51) the calculated approach δ is wrong by a

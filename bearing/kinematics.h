@@ -7,11 +7,10 @@ namespace raceway::bearing {
 /// Race that controls the ball: the ball rolls without spin at that race.
 enum class RaceControl { outer, inner };
 
-/// Speeds of a ball from its contact angles. The inner ring rotates at ω. The formulas are rational
-/// functions of the sines and cosines of the contact angles, so solvers need no trigonometric
-/// functions.
-///
-/// Orbital (cage) speed, ratio m = ω_m/ω [1]:
+/// Returns the ratio m = ω_m/ω of the orbital speed of a ball (cage speed) to the speed ω of the
+/// inner ring [1]. The outer ring is stationary. The formulas are rational functions of the sines
+/// and cosines of the contact angles αi (inner race) and αo (outer race), so solvers need no
+/// trigonometric functions.
 ///
 ///   outer control   m = (1 - g cos αi) / (1 + cos(αi - αo))
 ///   inner control   m = (cos(αi - αo) - g cos αo) / (1 + cos(αi - αo)),        g = D/d_m
@@ -29,7 +28,7 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 /// the friction forces in the plane of the ball.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
-///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = Qi/inner_load <= 1
+///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = min(Qi/inner_load, 1)
 ///
 /// The ball rolls without slip at both contacts about an axis at the pitch angle β to the bearing
 /// axis. The creep m_c is added to the ratio m. β, m_c and the given friction forces stay constant

@@ -8,11 +8,12 @@
 /// Number types for code that computes one operating point, or several operating points in
 /// parallel: `double`, or SIMD batches with one point per lane. Batches define arithmetic,
 /// comparisons, sqrt and other functions (found by argument-dependent lookup). This header adds the
-/// missing functions for `double`, and further functions for both number types. Code that may
-/// differ between lanes selects by mask instead of branching.
+/// missing functions for `double`, and further functions for both number types. If lanes need
+/// different results, the code selects these results with a mask instead of a branch.
 namespace raceway::bearing {
 
-/// Type of the result of a comparison of two T, and the number of points in a T.
+/// Properties of a number type T: `Mask` is the type of the result of `a < b`, and `count` is the
+/// number of operating points in one T.
 template <typename T>
 struct Lanes {
   using Mask = typename T::batch_bool_type;
@@ -37,7 +38,7 @@ inline constexpr bool is_scalar = Lanes<T>::count == 1;
 [[gnu::always_inline]] inline bool any(bool mask) { return mask; }
 [[gnu::always_inline]] inline bool all(bool mask) { return mask; }
 
-/// Returns sine and cosine together; batches define their own.
+/// Returns sine and cosine. Batches define their own function with this name.
 [[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
   return {std::sin(x), std::cos(x)};
 }
@@ -60,8 +61,8 @@ template <typename T>
   std::memcpy(reinterpret_cast<char*>(&x) + i * sizeof value, &value, sizeof value);
 }
 
-/// Copies `count` lanes of all members of a struct: from lane j of U to lane i of T, and so on. All
-/// members of the struct must have the number type of the struct.
+/// Copies `count` lanes of all members of a struct: lanes j, j + 1, ... of `from` become lanes i,
+/// i + 1, ... of `to`. All members of the struct must have the number type of the struct.
 template <std::size_t count = 1, typename T, typename U, template <typename> class Struct>
 [[gnu::always_inline]] inline void copy_lanes(Struct<T>& to, std::size_t i, const Struct<U>& from,
                                               std::size_t j) {
@@ -72,7 +73,8 @@ template <std::size_t count = 1, typename T, typename U, template <typename> cla
                 count * sizeof(double));
 }
 
-/// Memory for eight points; batches of any width load from it.
+/// Values of one quantity at eight operating points, in memory. SIMD batches of 2, 4 or 8 points
+/// load from this memory.
 struct alignas(64) Eight {
   static constexpr std::size_t size = 8;
   double lanes[size];

@@ -18,8 +18,8 @@ struct OperatingPoint {
   double temperature = celsius_zero + 40.0;  ///< lubricant temperature [K]
 };
 
-/// Throws std::invalid_argument for NaN, a speed outside 0 to 1e6 rpm, a load beyond ±1e8 N and a
-/// moment beyond ±1e8 N m.
+/// Throws std::invalid_argument if speed, a load or a moment is NaN, and for a speed outside 0 to
+/// 1e6 rpm, a load beyond ±1e8 N or a moment beyond ±1e8 N m.
 void validate(const OperatingPoint& point);
 
 }  // namespace raceway::bearing

@@ -10,8 +10,9 @@
 #include "bearing/lanes.h"
 
 // Equilibrium of one inner ring: sums over its balls with derivatives, and the report of each ball.
-// All unknowns are lengths and all loads are forces: tilts are multiplied by R_i, and moments are
-// divided by R_i. The imbalances of all components can then be divided by one load (load_scale).
+// All unknowns are lengths and all loads are forces: tilts are multiplied and moments are divided
+// by the radius R_i of the circle of the inner groove centres. The imbalances of all components can
+// then be divided by one load (load_scale).
 namespace raceway::bearing {
 
 /// Model of a ball: two springs in series (at rest), or the equilibrium of an orbiting ball under
@@ -97,10 +98,10 @@ struct RingPoint {
   BallConstantsOf<T> ball;
   SpringPairOf<T> springs;  ///< contact springs of a ball at rest
   PlaneOf<T> free;          ///< inner groove centre without displacement [m]
-  T lever;                  ///< R_i [m]
-  T moment_arm_ratio;       ///< f_i D / R_i [1]
+  T lever;                  ///< R_i, radius of the circle of inner groove centres [m]
+  T moment_arm_ratio;       ///< inner groove radius f_i D divided by R_i [1]
   T load[5];                ///< forces, and moments divided by the lever [N]
-  T load_scale;             ///< largest of the loads [N]
+  T load_scale;             ///< largest magnitude in `load` [N]
   T ball_scale;             ///< load_scale / Z [N]
   T rounding;               ///< largest residual that rounding errors of lengths cause [1]
 };
@@ -108,7 +109,8 @@ struct RingPoint {
 /// Returns the point of a bearing at rest without load.
 [[nodiscard]] RingPoint<double> unloaded_point(const Bearing& bearing,
                                                const EquilibriumOptions& options);
-/// Sets speed and load of a point of this bearing.
+/// Sets the speed and the loads of `ring` to the values of `point`. `ring` must come from
+/// unloaded_point() of this bearing.
 void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
                          const OperatingPoint& point, const EquilibriumOptions& options);
 [[nodiscard]] BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& point,
@@ -128,9 +130,11 @@ struct BallStep {
 /// the ball is eliminated.
 template <typename T>
 struct BallShare {
-  T force[3];              ///< f_axial, f_radial, f_m [N]
-  T gain[3];               ///< change of these forces by the ball's own Newton step [N]
-  T tangent[6];            ///< derivatives of `force` by (A_axial, A_radial), row-major 3x2 [N/m]
+  T force[3];  ///< f_axial, f_radial, f_m of BallBalanceOf [N]
+  T gain[3];   ///< change of these forces by the ball's own Newton step [N]
+  /// Derivatives of `force` with respect to the inner groove centre (axial, radial), row-major 3x2
+  /// [N/m].
+  T tangent[6];
   T imbalance;             ///< imbalance of the ball, squared and scaled [1]
   BallForcesOf<T> forces;  ///< contact loads and forces for the report
 };
@@ -267,7 +271,9 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   T(&k)[5][5] = sums.stiffness;
   const T zero(0.0);
   if (circle.symmetry == Symmetry::thrust) {
-    // One ball at ψ = 0, Z-fold: k00 = Z t00, k11 = Z t11, k14 = -Z t10, k41 = -Z t21, k44 = Z t20.
+    // The sums contain one ball at ψ = 0 with weight Z. With t = BallShare::tangent: k00 = Z t00,
+    // k11 = Z t11, k14 = -Z t10, k41 = -Z t21, k44 = Z t20. The mean of cos² ψ over all balls is
+    // 1/2.
     const T k00 = k[0][0], k11 = 0.5 * k[1][1], k14 = 0.5 * k[1][4], k41 = 0.5 * k[4][1],
             k44 = 0.5 * k[4][4];
     for (auto& row : k)
@@ -304,9 +310,9 @@ struct RingReport {
   T recovered_load_error;
 };
 
-/// Angles and forces at equilibrium of all balls that are unknowns. The loads are summed again from
-/// these values. This sum is an independent check of all calculations from the unknowns to the
-/// report.
+/// Computes angles and forces of the balls that are unknowns, for a ring in equilibrium. Then sums
+/// the ball forces from these angles and compares the sum with the applied load. This comparison is
+/// an independent check of all calculations from the unknowns to the report.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {

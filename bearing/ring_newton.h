@@ -30,11 +30,11 @@ struct NewtonProgress {
 ///
 /// A step moves the ring by at most half the distance of the groove centres. A full step may raise
 /// the merit by the factor NewtonLimits::rise, because a ball may gain or lose contact. If the
-/// merit rises more, the step is halved, up to six times, until the merit does not rise. The step
-/// of a single ball is shortened if it would lift this ball off the outer race. When a lane
-/// converges, its trial state is one Newton step beyond the accepted state. Use the trial state as
-/// the result. The error of the trial state is near the rounding error. The last step is not
-/// counted.
+/// merit rises more, the step is halved until the merit does not rise. After six halvings, the step
+/// is accepted in any case. The step of a single ball is shortened if it would lift this ball off
+/// the outer race. When a lane converges, its trial state is one Newton step beyond the accepted
+/// state. Use the trial state as the result. The error of the trial state is near the rounding
+/// error. The last step is not counted.
 template <typename T>
 class RingNewton {
  public:

@@ -69,9 +69,10 @@ class RingSystem {
   /// nearly half the shaft speed.
   [[nodiscard]] Plane thrown_ball() const;
 
-  std::vector<InnerContact> contacts;  ///< fixed contacts; empty if the physical law decides
-  int newton_limit = 40;               ///< largest number of steps in one call of newton()
-  double newton_rise = 4.0;            ///< NewtonLimits::rise for the next call of newton() [1]
+  /// Inner contact of each ball, `kept` or `lost`; empty: `automatic` for every ball.
+  std::vector<InnerContact> contacts;
+  int newton_limit = 40;     ///< largest number of steps in one call of newton()
+  double newton_rise = 4.0;  ///< NewtonLimits::rise for the next call of newton() [1]
 
  private:
   bool fail(SolveStatus why);

@@ -78,8 +78,9 @@ inline constexpr std::size_t lamina_count = 41;
 ///
 /// Source:   [ISO16281], as two other programs implement it. The split into two equal contacts in
 ///           series and the factor of the materials are derived (Lundberg's form is linear in k).
-/// Accuracy: within 2.5 % of a boundary element solution of strip and cylinder. Palmgren's 3.84e-5
-///           Q^0.9/L^0.8 gives 3.4 % less approach.
+/// Accuracy: the approach is within 2.5 % of a boundary element solution for the contact of a strip
+///           and a cylinder. Palmgren's formula 3.84e-5 Q^0.9/L^0.8 gives an approach that is 3.4 %
+///           smaller.
 /// Trap:     the constant 35948 is for both contacts in series. The constant 3.84e-5 is for one
 ///           contact.
 struct LineContact {

@@ -102,8 +102,8 @@ struct RollerEquilibrium {
 /// Accuracy: the relative imbalance is at most `tolerance`. The model assumes rigid rings and
 ///           quasi-static motion. The model ignores roller skew, flange friction, cage slip and
 ///           film. An approach below 1e-15 m is not a contact. Otherwise a rounding error of 1e-19
-///           mm at 90 deg would contribute 1 % of the stiffness of a loaded slice, because dq/dδ is
-///           proportional to the ninth root of the approach δ.
+///           mm at a roller 90 deg from the load would contribute 1 % of the stiffness of a loaded
+///           slice, because dq/dδ is proportional to the ninth root of the approach δ.
 [[nodiscard]] RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing,
                                                      const OperatingPoint& point,
                                                      const RollerOptions& options = {});

@@ -8,9 +8,9 @@ namespace raceway::bearing {
 
 /// Position of the loaded balls of an angular-contact bearing in the inner groove.
 enum class Seat {
-  shoulder,       ///< against the shoulders, the intended position
-  groove_bottom,  ///< at the bottom, without contact angle
-  far_side        ///< some balls beyond the bottom, where the bearing has no shoulder
+  shoulder,       ///< on the side of the shoulder, as intended
+  groove_bottom,  ///< at the bottom of the groove, with contact angle 0
+  far_side        ///< some balls on the other side of the bottom, where there is no shoulder
 };
 
 /// Name of the seat in JSON results, e.g. "groove_bottom".
@@ -18,12 +18,12 @@ enum class Seat {
 
 /// Determines the seat from the least and largest inner contact angles of the loaded balls [rad].
 ///
-/// A ball at a contact angle pushes the ring along the axis. With a shoulder on one side only, all
-/// balls push in the same direction. Under a purely radial load the sum of the axial ball forces
-/// must be zero, so each axial ball force is zero. The ring moves back until the groove centres lie
-/// opposite each other, and the balls carry the load at contact angle 0. A moment without enough
-/// axial load needs balls that push in the opposite direction. In the solver the grooves continue
-/// beyond the bottom. In a real bearing the rings separate.
+/// A ball at a contact angle pushes the ring along the axis. If the groove has a shoulder on one
+/// side only, all balls push in the same direction. Under a purely radial load the sum of the
+/// axial ball forces must be zero, so each axial ball force is zero. The ring moves back until the
+/// groove centres lie opposite each other, and the balls carry the load at contact angle 0. A
+/// moment without enough axial load needs balls that push in the opposite direction. In the solver
+/// the grooves continue beyond the bottom. In a real bearing the rings separate.
 ///
 /// Domain:   angles up to a tenth of the nominal angle are treated as zero. The result is
 ///           `shoulder` for a bearing with α0 = 0 (deep groove, with two shoulders) and for a

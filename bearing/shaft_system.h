@@ -65,7 +65,8 @@ class ShaftSystem {
   [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;
   /// Position of a ball on which only the centrifugal force acts.
   [[nodiscard]] Plane thrown_ball(std::size_t i) const;
-  /// True if bearing i > 0 has the condition and equilibrium of bearing i - 1 on the same side.
+  /// True if bearing i > 0 is on the same side as bearing i - 1 and has the same condition and
+  /// equilibrium.
   [[nodiscard]] bool alike(const ShaftState& state, std::size_t i) const {
     return members_[i].like_last && (at_rest_ || state.balls[i] == state.balls[i - 1]);
   }
@@ -84,10 +85,10 @@ class ShaftSystem {
   /// A bearing in its set, with its shift.
   struct Member {
     BallConstants constants;
-    Plane free;      ///< inner groove centre without displacement
-    double offset;   ///< additional compression relative to its set
+    Plane free;      ///< inner groove centre without displacement [m]
+    double offset;   ///< additional compression relative to its set [m]
     double count;    ///< Z
-    bool like_last;  ///< true: same bearing, offset, shift, rotation and side as the last member
+    bool like_last;  ///< true: same bearing, offset, shift, rotation and side as bearing i - 1
   };
   struct Step {
     double shaft, rear;

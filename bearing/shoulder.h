@@ -21,10 +21,10 @@ namespace raceway::bearing {
 ///
 ///   θ - (α + asin(a/r))
 ///
-/// θ is shoulder_angle(), a is the half axis of the ellipse across the rolling direction, and r is
-/// the groove radius. The result is the smallest margin of all balls that touch. If the margin is
-/// below zero, the edge of the shoulder truncates the ellipse, and the pressure at the edge is
-/// higher than Hertz theory predicts.
+/// θ is shoulder_angle(), α is the contact angle, a is the half axis of the ellipse across the
+/// rolling direction, and r is the groove radius. The result is the smallest margin of all balls
+/// that touch. If the margin is below zero, the edge of the shoulder truncates the ellipse, and the
+/// pressure at the edge is higher than Hertz theory predicts.
 /// Source:   comparison of the static ellipse with the land height, as in [Harris2006, vol. 1];
 ///           from memory, not checked against the print.
 /// Domain:   a bearing in equilibrium. For α0 = 0 (deep groove, two shoulders) |α| replaces α;
@@ -42,8 +42,8 @@ struct ShoulderMargins {
 /// Pure axial load at standstill under which the ellipse of a race reaches the edge of its shoulder
 /// [N]. A load without equilibrium is treated as too large.
 ///
-/// Domain:   the load is NaN without a shoulder diameter, 0 if the edge is below the nominal
-///           contact angle, and infinite if no load up to 1e8 N reaches the edge.
+/// Domain:   the load is NaN without a shoulder diameter, 0 if the angle of the edge is at
+///           most the nominal contact angle, and infinite if no load up to 1e8 N reaches the edge.
 /// Accuracy: the relative numerical error is 1e-9. This load is a limit of the geometry only; the
 ///           contact pressure may exceed 4.2 GPa.
 struct PermissibleLoads {

@@ -11,13 +11,13 @@ struct KernelBlock {
   RingPoint<Eight> points;
   bool converged[Eight::size];
   int steps[Eight::size];  ///< number of Newton steps
-  Eight ring[5];           ///< displacement, tilts times the lever [m]
+  Eight ring[5];           ///< ring displacement; tilts are multiplied by RingPoint::lever [m]
   RingReport<Eight> report;
 };
 
-/// Points with equal ball count, symmetry, ball model and free coordinates. If the points do not
-/// fill the last block, the caller must fill the remaining lanes with any point. The results of the
-/// remaining lanes are not used.
+/// Points that one call of a kernel solves. All points have equal ball count, symmetry, ball model
+/// and free coordinates. If the points do not fill the last block, the caller must fill the
+/// remaining lanes with any point. The results of the remaining lanes are not used.
 struct KernelCall {
   BallCircle circle;
   BallModel model;

@@ -23,7 +23,8 @@ struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
   int iterations = 0;       ///< Newton steps, summed over all stages
   double residual = unset;  ///< largest imbalance of ring and balls, relative to load [1]
-  /// Sum of the forces of the reported balls minus the applied load, relative to the load [1].
+  /// Difference between the applied load and the sum of the forces of the reported balls: largest
+  /// component, relative to the load [1].
   double recovered_load_error = unset;
   /// True if statics proves that no equilibrium exists. If false, `no_equilibrium` only means that
   /// the search found none.

@@ -48,7 +48,7 @@ class ThrustStatics {
       T so, co;
       Mask<T> valid = load > zero;
       if constexpr (control == RaceControl::inner) {
-        // P cos αo - R sin αo = To: turn (P, R) back by asin(To/|(P, R)|).
+        // P cos αo - R sin αo = To with R = `radial`: turn (P, R) back by asin(To/|(P, R)|).
         const T inv = one / sqrt(thrust_ * thrust_ + radial * radial);
         const T sin_turn = ti * inv;
         valid = valid && sin_turn < one;
@@ -108,10 +108,12 @@ template <typename T>
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
 /// Lo and Li are the distances from the ball centre to the outer and the inner groove centre, R is
-/// the radial distance of these groove centres, and F is cage_speed_ratio(). Inner control uses the
-/// same slopes, which then neglect the change of the gyroscopic couple. The last step follows the
-/// slopes (sin αi to second order); the equations are not evaluated after this step. Most loads
-/// need two evaluations. Returns true in the lanes with a result.
+/// the radial distance of these groove centres, F is cage_speed_ratio(), and P is the thrust per
+/// ball. Qi, Fc, C and δ are as in BallBalanceOf. The formula of cot αo is for outer
+/// control. Inner control uses the same derivatives, which then neglect the change of the
+/// gyroscopic couple. The last step follows the derivatives (sin αi to second order); the equations
+/// are not evaluated after this step. Most loads need two evaluations. Returns true in the lanes
+/// with a result.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
@@ -219,9 +221,9 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
 }
 
 /// Finds the thrust start. Lanes in which quick_thrust_start() fails solve one equation in cot αi
-/// by a bracketing secant method: Lo cos αo + Li cos αi equals the radial distance of the groove
-/// centres. Returns false in lanes without a root, which have no equilibrium under pure thrust.
-/// Lanes with a root keep this root while other lanes continue.
+/// by a bracketing secant method: ThrustStatics::radial_distance() equals `free.radial`. Returns
+/// false in lanes without a root, which have no equilibrium under pure thrust. Lanes with a root
+/// keep this root while other lanes continue.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {
@@ -235,8 +237,9 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     statics.solve(cotangent, active);
     return select(statics.possible(), statics.radial_distance() - free.radial, T(unset));
   };
-  // Bracket from small contact angles (distance too long) to large ones (too short). Under inner
-  // control statics may have no solution in part of the range. Then there may be no root.
+  // Bracket the root: at small contact angles the radial distance is too long, at large ones too
+  // short. Under inner control statics may have no solution in part of the range. Then there may be
+  // no root.
   T high = free.radial / max(free.axial, 0.01 * free.radial);
   T at_high = excess(high, !quick);
   for (int i = 0; i < 20; ++i) {

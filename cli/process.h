@@ -11,9 +11,9 @@ namespace raceway::cli {
 /// Prepares the standard streams and the stop signals of the process. Call start_process() before
 /// all other functions. Output to a closed standard stream then fails; without this call, the next
 /// opened file would take the place of the stream. On a stop signal (Ctrl-C, kill, a closed
-/// terminal), the process removes unfinished files, lists the complete files on stderr, and ends
-/// with this signal. If a file reaches the size limit of the process, the program reports an error
-/// as for a full disk.
+/// terminal) that is not ignored, the process removes unfinished files, lists the complete files on
+/// stderr, and ends with this signal. If a file reaches the size limit of the process, the program
+/// reports an error as for a full disk.
 void start_process();
 
 /// Sets a flag at the first Ctrl-C, or when `seconds` [s] have passed. While an InterruptFlag

@@ -15,12 +15,13 @@ namespace raceway::cli {
 void print_state(const model::Model& model, const bearing::OperatingPoint& point,
                  const session::PointAnswer& answer);
 /// Prints the friction torque, the power loss, and the contributions to the torque on one line
-/// each. The first two of these lines also contain the heat of the inner and the outer ring.
+/// each. The line of the first contribution also contains the heat of the inner ring, and the next
+/// line the heat of the outer ring.
 void print_torque(const model::Model& model, const model::FrictionPrediction& friction,
                   const friction::HeatSplit& heat);
 
-/// Prints life, static safety and the frequencies of cage and outer race at a speed [rad/s];
-/// `element` is "ball" or "roller".
+/// Prints life, static safety, cage speed and the ball-pass frequency of the outer race. `speed` is
+/// the shaft speed [rad/s], and `element` is "ball" or "roller".
 void print_life(const model::BearingLife& life, const bearing::BearingFrequencies& turns,
                 double speed, std::string_view element);
 

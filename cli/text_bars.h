@@ -7,9 +7,9 @@
 namespace raceway::cli {
 
 /// Returns a bar of '#' whose length is proportional to value/full, with at most `width`
-/// characters. A positive value has at least one '#'. A `mark` up to `full`, such as the noise or a
-/// threshold, is a '|' in the bar or after its end. A `second` mark, for the tolerance, is a ':'
-/// and replaces a '|' at the same place.
+/// characters; empty if `full` is not positive and finite. A positive value has at least one '#'. A
+/// `mark` up to `full`, such as the noise or a threshold, is a '|' in the bar or after its end. A
+/// `second` mark, for the tolerance, is a ':' and replaces a '|' at the same place.
 [[nodiscard]] std::string bar(double value, double full, std::size_t width, double mark = -1.0,
                               double second = -1.0);
 

@@ -9,7 +9,7 @@
 namespace raceway::cli {
 
 /// A plain table for readers: right-aligned columns of text below a header and a line of units.
-/// Columns that do not fit the width follow in a second block, which repeats the first column.
+/// Columns that do not fit the width follow in further blocks, which repeat the first column.
 class TextTable {
  public:
   struct Column {

@@ -22,9 +22,10 @@ namespace raceway::control {
                                     const record::Record& record, std::size_t most_rows = 1000);
 
 /// Returns a synthetic check record within the ranges of the models: varying temperatures, blocks
-/// of speeds and feeds, a coolant that switches on and off, and a gap in time. The record lasts
-/// about twice the longest time constant of the sections. If a model has a transfer function, the
-/// rows have its sampling interval, and there is no gap.
+/// of speeds and feeds, a coolant that switches on and off, and a gap in time. The record has at
+/// most 60 rows. It lasts about twice the longest time constant of the sections, at least 20 min.
+/// If a model has a transfer function, the rows have its sampling interval instead, and there is no
+/// gap.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 

@@ -14,9 +14,9 @@
 ///
 /// All numbers are in the units of files: um (urad for an angle), C, K, W, rpm, m/min, s, N mm.
 /// Every slow part of a displacement is a sum of parallel sections (lags). The state s of a section
-/// follows its target by
+/// follows its target (gain times input) with the time constant tau:
 ///
-///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
+///   s += (1 - exp(-dt/tau)) (target - s),   dt: measured time since the last call
 ///
 /// For inputs that vary linearly between two samples, such as temperatures, an additional term
 /// makes the step exact for a ramp. A transfer function that is a sum of lags
@@ -69,9 +69,9 @@ struct ControlDrive {
   enum class Kind {
     rise,   ///< mean rise of temperatures from their first values, minus the rise of the reference
             ///< [K]
-    size,   ///< mean of the inputs; a speed x enters as x (x/1000)^(exponent - 1)
+    size,   ///< mean of the inputs; a speed x [rpm] enters as x (x/1000)^(exponent - 1)
     power,  ///< friction torque from a table times the speed [W]
-    motor   ///< exp(-n/n0) while the motor turns, else 0
+    motor   ///< exp(-n/n0) while the motor turns at the speed n, else 0
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< indices of the inputs, for `rise` and `size`
   std::size_t reference = nowhere;    ///< index of the reference temperature, for `rise`
@@ -143,7 +143,7 @@ struct ControlFeedthrough {
 ///   y(k) = sum numerator(i) u(k-i) - sum denominator(i) y(k-i),   denominator(0) = 1
 ///
 /// The program advances the equation in a call that comes `sampling_s` after the previous call
-/// (within interval_tolerance). In other calls, y does not change.
+/// (within interval_tolerance). In other calls, y does not change. u is the drive.
 struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;

@@ -13,8 +13,8 @@ namespace raceway::control {
 /// Reads the plan from a table of coefficients. Users may edit the numbers in the table. `source`
 /// is the file name for messages. If the plan is written again, the numbers do not change.
 ///
-/// Throws InputError if the table is not valid; the message names file, line, part, name, value and
-/// allowed range.
+/// Throws InputError if the table is not valid; the message names the file and line, the part of
+/// the correction, and the name, value and allowed range of the number.
 [[nodiscard]] ControlPlan read_control_table(std::string text, const std::string& source);
 
 }  // namespace raceway::control

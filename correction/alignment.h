@@ -10,8 +10,8 @@ namespace raceway::correction {
 /// zero of a displacement is arbitrary.
 enum class Zero {
   none,   ///< no constant: the prediction contains the offset of the model
-  first,  ///< error at the first reading of each run
-  mean    ///< mean error of each run, which minimises the rms residual
+  first,  ///< error at the first reading of each run and each setup (setup_id)
+  mean    ///< mean error of each run and each setup, which minimises the rms residual
 };
 
 /// Returns the model for prediction on a record, with the constants that `zero` selects. For a

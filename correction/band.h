@@ -11,8 +11,8 @@ namespace raceway::correction {
 struct Band {
   std::vector<double> of_numbers{};  ///< standard error due to the fitted parameters
   /// Standard error due to the sensor resolution in the first row of each run. Temperatures are
-  /// relative to this row, so its rounding error shifts all predictions of the run. The record of
-  /// the fit has a similar error, which is part of the fitted offset.
+  /// relative to this row, so their rounding error in this row shifts all predictions of the run.
+  /// The record of the fit has a similar error, which is part of the fitted offset.
   std::vector<double> of_beginning{};
   double of_what_is_left = 0.0;        ///< rms of the residual, r below
   std::vector<double> extrapolated{};  ///< e below, from extrapolated()
@@ -36,8 +36,9 @@ struct Band {
 };
 
 /// Returns the band of a model. If the model has no covariance, the parameters are assumed exact.
-/// If it has no residual (`Model::left`), r is 0. `subject` is the result of aligned() for this
-/// model and the record of `series`; `beyond` is the result of beyond_range().
+/// If the model has no residual (`Model::left`), the term r of Band::half_width() is 0. `subject`
+/// is the result of aligned() for this model and the record of `series`; `beyond` is the result of
+/// beyond_range().
 [[nodiscard]] Band band_of(const CorrectionSubject& subject, const Model& model,
                            const std::shared_ptr<const Series>& series, const Beyond& beyond);
 

@@ -27,7 +27,8 @@ namespace raceway::correction {
                                                  const std::vector<const Channel*>& offered,
                                                  const record::Record& record);
 
-/// Returns true if all channels of a model respond to columns instantly, as in a linear regression.
+/// Returns true if a model has only channels that respond to columns instantly, as in a linear
+/// regression, and no kinematic law or effect.
 [[nodiscard]] bool is_regression(const Model& model);
 
 /// Returns the channels of a model without their sections, for a regression or an ARX model.
@@ -39,8 +40,9 @@ namespace raceway::correction {
 
 /// ARX model: predicts the reading y at step k from earlier readings and from the inputs u_j.
 ///
-///   y(k) = sum_i a_i y(k-i) + sum_ij b_ij u_j(k-i) + c,   i = 1..n of y, 0..n of u
+///   y(k) = sum_i a_i y(k-i) + sum_ij b_ij u_j(k-i) + c
 ///
+/// i is 1 to n for the readings y, and 0 to n for the inputs u_j, with the order n.
 /// Source:   least squares of the one-step prediction (Ljung, System Identification, 2nd ed. 1999,
 ///           sec. 4.2).
 /// Traps:    a one-step prediction starts from readings, so it is good even with wrong poles. If

@@ -9,7 +9,7 @@
 /// file: see docs/control.md.
 namespace raceway::correction {
 
-/// A setting with a value for all inputs or axes, and with other values for single columns.
+/// A setting with one value for all inputs or axes, and exceptions for some columns.
 template <typename T>
 struct ByColumn {
   T all{};
@@ -42,11 +42,12 @@ struct ControlSettings {
   /// Unit of the output: "um", "mm", "counts"; for an angle "urad", "mrad", "rad", "deg", "counts".
   ByColumn<std::string> unit{"um"};
   ByColumn<double> count_um{0.1};  ///< size of one count of the output
-  /// Letter of the axis; empty: from the column, z for displacement_z_um.
+  /// Letter of the axis. If it is empty, the column gives the letter: z for displacement_z_um.
   ByColumn<std::string> axis{};
   // Settings of inputs, by their column.
+  /// Plausible range of an input.
   ByColumn<ControlLimits> plausible{
-      {-40.0, 150.0}, {}};  ///< `all`: temperatures; other inputs: 10 times largest training value
+      {-40.0, 150.0}, {}};  ///< `all`: temperatures; others: up to 10 times largest training value
   /// Largest allowed change of an input per second; 0: not checked. `all` applies to temperatures
   /// only.
   ByColumn<double> fastest_per_s{1.0};
@@ -57,15 +58,21 @@ struct ControlSettings {
   /// the filtered input.
   ByColumn<double> smoothing_s{0.0};
   // Settings of all axes and inputs.
-  /// Offset if a fault lasts longer than `hold_s`: "hold", "last-safe", "zero".
+  /// Reaction to a fault that lasts longer than `hold_s`: the model uses the last good input
+  /// ("hold"), or the offset moves to the last offset from good inputs ("last-safe") or to 0
+  /// ("zero").
   std::string on_fault = "last-safe";
   double hold_s = 60.0, fade_s = 300.0;
   double longest_gap_s = 10.0, clock_jump_s = 1800.0;
-  /// Simulation of the time while the control was off: "decay", "resume", "rest".
+  /// Lags after a time in which the control was off: simulated for this time with speeds, feeds and
+  /// powers of 0 ("decay"), as before this time ("resume"), or at zero ("rest").
   std::string restart = "decay";
-  std::string touch_off = "keep";  ///< offsets when a new datum is set: "keep", "clear"
-  std::string disabled = "zero";   ///< offsets while the correction is disabled: "zero", "freeze"
-  /// Response of lags to inputs beyond the range of the fit: "linear", "hold".
+  /// Offsets when a new datum is set: part of the datum ("keep"), or removed ("clear").
+  std::string touch_off = "keep";
+  /// Offsets while the correction is disabled: moved to 0 ("zero"), or constant ("freeze").
+  std::string disabled = "zero";
+  /// Response of lags to inputs beyond the range of the fit: linear in the input ("linear"),
+  /// or as for an input at the limit of the range ("hold").
   std::string beyond_range = "linear";
 };
 

@@ -82,7 +82,7 @@ class CorrectionSubject : public fit::Subject {
   std::vector<const Channel*> columns_{};  // inputs that vary
   std::vector<Interval> ranges_{};         // range of each input
   std::vector<double> jump_times_{};
-  double end_ = 0.0;  // end of the record, behind the last row [s]
+  double end_ = 0.0;  // end of the record: 1 s after the last row [s]
   std::vector<Beginning> beginnings_{};
 };
 

@@ -33,9 +33,10 @@ struct DelayElement {
 };
 
 /// Computes the displacement at every row [m]. The input is in the unit of its column. Between
-/// rows, the input is constant; Clock::settings_hold selects the row with its value. Every run
-/// begins with u = 0. After the first input outside DelayElement::domain(), the result is NaN until
-/// the end of the run. Beyond the range `seen` of the fit, continued() extrapolates K and T.
+/// rows, the input is constant: Clock::settings_hold selects the earlier or the later of the two
+/// rows. Every run begins with u = 0. After the first input outside DelayElement::domain(), the
+/// result is NaN until the end of the run. Beyond the range `seen` of the fit, continued()
+/// extrapolates K and T.
 void delay_response(const Clock& clock, std::span<const double> input, const DelayElement& element,
                     std::span<double> displacement, const Interval& seen = {});
 

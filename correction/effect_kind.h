@@ -25,7 +25,7 @@ struct EffectCard {
   std::size_t size = 0;  ///< index of the parameter whose neutral value switches the effect off
   /// True: changes the response of a channel; false: adds to the displacement.
   bool of_channel = false;
-  bool at_channel = false;  ///< true: `Effect::where` names a channel; empty: the first channel
+  bool at_channel = false;  ///< true: `Effect::where` names a channel; "" is the first channel
   /// True if full_id() contains a column: the column that drives the effect or limits its window.
   bool by_column = false;
   bool by_window = false;   ///< true: the effect may be limited to a range of an axis position
@@ -33,7 +33,7 @@ struct EffectCard {
   /// True for a fault that faults() finds in the record. Such an effect has no parameter, and a
   /// model never contains it.
   bool evidence = false;
-  bool needs_input = false;  ///< true: a file must name the columns of the effect
+  bool needs_input = false;  ///< true: a model file must name the columns of the effect
 };
 
 /// Model and record properties that determine on which channels and columns effects can act.

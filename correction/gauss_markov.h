@@ -39,7 +39,8 @@ struct Unknown {
 ///
 ///   k(t, t') = sum_j h_j(t) h_j(t') s_j² exp(-|t - t'|/T_j)
 ///
-/// With infinite T_j, the filter is recursive least squares with the ridge parameter r²/s².
+/// With infinite T_j, the filter is recursive least squares with the ridge parameter r²/s_j² for
+/// each x_j.
 ///
 /// Source:   the equations above. Tests compare the filter with a direct solution of the
 ///           regression.
@@ -57,8 +58,8 @@ class UnknownsFilter {
     double mean = 0.0;
     double variance = 0.0;  ///< variance of the sum, without the noise of a reading
   };
-  /// Returns the expected mean and variance of the sum with these weights, at a time dt [s] from
-  /// now.
+  /// Returns the expected mean and variance of the sum with these weights, at the time dt [s] after
+  /// the present time of the filter.
   [[nodiscard]] Expected expected(std::span<const double> weights, double dt) const;
 
   /// Advances the filter by the time dt [s] without a reading.

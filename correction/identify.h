@@ -36,7 +36,7 @@ struct AheadError {
   double rms = unset;   ///< rms error on the later readings [m]
 };
 
-/// Strength λ and speed weight s that identify_lag_bank() tried: see lag_bank.h.
+/// Ridge strength λ and speed weight s that identify_lag_bank() tried: see lag_bank.h.
 struct StrengthTried {
   double strength = unset;      ///< λ [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
   double speed_weight = unset;  ///< weight s of speeds in the penalty [1]
@@ -75,8 +75,8 @@ struct Identification {
 /// Identifies the inputs, the number of lags and the parameters of a model from a record. Gains and
 /// time constants are fitted by variable projection with many starts. The program adds channels and
 /// lags while the rms error on eight held-out parts decreases (see IdentifyOptions). If no part can
-/// be held out, the rms error of the fit decides. The search uses means of neighbouring rows; at
-/// the end, the parameters are fitted to the single rows. Gains, time constants and the kinematic
+/// be held out, the rms error of the fit decides. The search uses means of neighbouring rows. The
+/// final fit of the parameters uses the rows themselves. Gains, time constants and the kinematic
 /// law of `model` are start values. Delay elements and transfer functions with published
 /// coefficients remain unchanged.
 ///

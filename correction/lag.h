@@ -26,10 +26,11 @@ struct LagStep {
   double decay = 1.0, old_weight = 0.0, new_weight = 0.0;  ///< [1]
 };
 
+/// Returns the coefficients for a step with dt/T = `ratio` [1].
 inline LagStep lag_step(double ratio, Hold hold) {
-  const double rise = -std::expm1(-ratio);  // 1 - exp(-x)
+  const double rise = -std::expm1(-ratio);  // 1 - exp(-ratio)
   if (hold == Hold::held) return {1.0 - rise, rise, 0.0};
-  // 1 - (1 - exp(-x))/x loses digits below this limit; the series is exact to rounding there.
+  // 1 - rise/ratio loses digits for small ratios. The series is exact to rounding there.
   const double new_weight =
       ratio < 1e-2
           ? ratio * (1.0 / 2 -

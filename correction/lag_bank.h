@@ -28,16 +28,16 @@ struct LagBankOptions {
 ///
 /// y is the displacement, and y0 is the zero of the run. x_ij is the response of lag j to input i,
 /// and g_ij is its gain [um/K, um/(m/min) or um/1000 rpm; for other columns, um per tenth of the
-/// range of the column]. λ is the strength [um² per square of the unit of g]. s_i is 1, except for
-/// speeds. Slow lags have larger penalties, because their errors last longest after the record.
-/// Lags below 600 s and the instant response have the penalty of a lag of 600 s. A speed n adds two
-/// inputs: n, and n (n/1000 rpm)^0.5 for the friction heat. A speed has no instant response. The
-/// program tries seven values of λ from 0.01 to 10 and three values of s for speeds from 0.1 to 1.
-/// Each combination is fitted to six initial parts of the record (59 % to 88 % of its duration) and
-/// tested on the rest. The final gains are the mean of the fits to the whole record, weighted by
-/// (rms error of the tests)^-4. Held-out parts from the middle of the record would favour gains
-/// that are valid only within the record. The choice of a single best λ would depend mostly on
-/// chance.
+/// range of the column]. λ is the ridge strength [um² per square of the unit of g]. s_i is 1,
+/// except for speeds. Slow lags have larger penalties, because their errors last longest after the
+/// record. Lags below 600 s and the instant response have the penalty of a lag of 600 s. A speed n
+/// adds two inputs: n, and n (n/1000 rpm)^0.5 for the friction heat. A speed has no instant
+/// response. The program tries seven values of λ from 0.01 to 10 and three values of s for speeds
+/// from 0.1 to 1. Each combination is fitted to six initial parts of the record (59 % to 88 % of
+/// its duration) and tested on the rest. The final gains are the mean of the fits to the whole
+/// record, weighted by (rms error of the tests)^-4. Held-out parts from the middle of the record
+/// would favour gains that are valid only within the record. The choice of a single best λ would
+/// depend mostly on chance.
 ///
 /// If many sensors measure bodies whose influence on the displacement is unknown, a bank of lags
 /// usually predicts better than a few lags with fitted time constants. A few lags fit the record

@@ -28,8 +28,8 @@ struct LearningOptions {
 inline constexpr double usual_misfit = 2.0 * um;
 inline constexpr double usual_reading_std = 0.3 * um;
 
-/// A reading that learn() used or rejected. Readings are skipped until LearningOptions::every has
-/// elapsed.
+/// A reading that learn() used or rejected. After a used reading, learn() skips the readings until
+/// LearningOptions::every has elapsed.
 struct OfferedReading {
   std::size_t row = 0;
   /// Reading and prediction from earlier readings [m].
@@ -38,7 +38,8 @@ struct OfferedReading {
   bool learnt = false;  ///< true: used for learning; false: rejected as too far from the prediction
   bool zeroed = false;  ///< true: the zero was reset with this reading
   /// Time from this reading until the standard deviation of the prediction exceeds the tolerance
-  /// [s]; NaN if it does not happen before the next used reading.
+  /// [s]; NaN if the tolerance is not exceeded before the next used reading, or if this reading was
+  /// rejected.
   double good_for = unset;
 };
 
@@ -52,7 +53,7 @@ struct LearntGain {
   bool is_lag = false, at_bound = false;
 };
 
-/// First row at which learn() finds that the model should be identified again, with the reason.
+/// A reason to identify the model again, and the first row at which learn() finds this reason.
 struct IdentificationDue {
   std::size_t row = 0;
   std::string reason{};
@@ -101,22 +102,23 @@ struct Learning {
 /// constant of the model (at most 24 h) that is more than 1.5 times the next shorter correlation
 /// time. The standard deviation of the sum of the d_i is a fifth of a misfit. The a_j are relative
 /// changes of the contributions c_j. The b_l are gains of additional lags of the model inputs, with
-/// time constants of 0.5, 2 and 8 h. The responses s_l are in units of half the input range. The
-/// joint standard deviation of all b_l is 2 misfits. All a_j and b_l return to 0 with the time
-/// constant `forgetting`. v is the noise of a reading. One UnknownsFilter estimates all unknowns
-/// together. The variance of the unknowns is multiplied by level², the mean ratio of the squared
-/// residual to its expected variance over about the last 32 readings. The mean includes the
+/// time constants of 0.5, 2 and 8 h. s_l is the response of a lag divided by half the input range.
+/// The standard deviation of the sum of all b_l is 2 misfits. All a_j and b_l return to 0 with the
+/// time constant `forgetting`. v is the noise of a reading. One UnknownsFilter estimates all
+/// unknowns together. The variance of the unknowns is multiplied by level², the mean ratio of the
+/// squared residual to its expected variance over about the last 32 readings. The mean includes the
 /// expected ratio of 1 with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
-/// deviations. The next reading is then used regardless of the interval. If the reading after a
-/// rejected one is also outside this limit, this reading resets the zero in two cases: it agrees
-/// with the rejected reading, or the two readings before it were rejected.
+/// deviations. The first reading of a run is never rejected. After a rejected reading, learn()
+/// checks the next reading without waiting for LearningOptions::every. If this next reading is also
+/// outside the limit, it resets the zero in two cases: it agrees with the rejected reading, or the
+/// two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. The standard deviations and times are our choice, based on the record
 ///           of docs/correction.md with models from three initial parts of this record.
-/// Domain:   time records. A channel has additional lags only if it has first-order lags and the
-///           model contains the range of its input.
+/// Domain:   time records. A new setup_id is treated like a new run. A channel has additional lags
+///           only if it has first-order lags and the model contains the range of its input.
 /// Accuracy: the standard deviation of the prediction depends on the values assumed above.
 ///
 /// Throws std::invalid_argument if the record has no readings of the displacement or lacks an input

@@ -17,9 +17,9 @@
 #include "record/record.h"
 #include "record/series_channel.h"
 
-/// Predicts the displacement of a machine tool over hours from signals of its control. The model
-/// adds first-order lags, which temperatures, powers, speeds and feeds drive, and an instant
-/// displacement that depends on the speed.
+/// Predicts the displacement of a machine tool over hours from signals of its control. The
+/// predicted displacement is a sum: first-order lags driven by temperatures, powers, speeds and
+/// feeds, and an instant displacement that depends on the speed.
 namespace raceway::correction {
 
 using record::Channel;
@@ -45,8 +45,8 @@ struct Window {
 
 /// Coordinate on one axis of a friction table: a constant, or the value of a record column.
 struct TableCoordinate {
-  double value = unset;  ///< constant [SI]
-  const Channel* column = nullptr;
+  double value = unset;             ///< constant [SI]
+  const Channel* column = nullptr;  ///< null: the constant `value`
 };
 
 /// Quantity that drives a channel of the displacement model.

@@ -11,8 +11,9 @@ namespace raceway::correction {
 ///
 ///   scale ± 20 %, A ± 20 %, B ± 0.1, C ± 20 %
 ///
-/// The standard deviations are assumptions: the computed gains depend on properties of the seats
-/// and the coolant that are seldom measured. A model file may define other priors.
+/// The numbers after ± are standard deviations. They are assumptions: the computed gains depend on
+/// properties of the seats and the coolant that are seldom measured. A model file may define other
+/// priors.
 [[nodiscard]] std::vector<NumberPrior> computed_priors(const Model& model);
 
 }  // namespace raceway::correction

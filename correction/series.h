@@ -57,8 +57,8 @@ class Series {
   using Values = std::shared_ptr<const std::vector<double>>;
   /// Returns the input at every row [SI]: a rise of temperature [K], a power [W], the absolute
   /// value of a speed or feed, or another quantity. If the window of the input has `of_input` set,
-  /// the result is multiplied by its factor. Throws std::invalid_argument if the record lacks a
-  /// column of the input.
+  /// the result is multiplied by the factor of this window. Throws std::invalid_argument if the
+  /// record lacks a column of the input.
   [[nodiscard]] Values input(const Input& input) const;
   /// Returns the input at the time of the reading in each row [SI], multiplied by the factor of its
   /// window. A displacement without lag is proportional to this result.

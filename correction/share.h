@@ -42,8 +42,8 @@ struct JumpShare {
 };
 
 /// Contribution of an effect to the displacement. Simulation, step responses and exported programs
-/// all use it, so their results agree. An effect that only changes the response of a channel has no
-/// contribution (std::monostate).
+/// use the same contribution, so their results agree. An effect that only changes the response of a
+/// channel has no contribution (std::monostate).
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 

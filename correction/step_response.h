@@ -31,11 +31,11 @@ struct StepResponse {
 };
 
 /// Returns the step responses of all channels of a model and of all effects with a lag. The
-/// response of a channel includes the effects on this channel. The step is 1 K, 1 W, 1 m/min or
-/// 1000 rpm. For a delay element, the steps are inputs of the record: the median of the inputs
-/// above zero, the largest input, and the lowest input below zero. Responses with published
-/// coefficients last half of the longest run. Effects without a lag and the kinematic law are left
-/// out.
+/// response of a channel includes the effects on this channel. The step is 1000 rpm for a
+/// speed, otherwise one unit of the input, such as 1 K, 1 W or 1 m/min. For a delay element, the
+/// steps are inputs of the record: the median of the inputs above zero, the largest input, and the
+/// lowest input below zero. Responses with published coefficients last half of the longest run.
+/// Effects without a lag and the kinematic law are left out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

@@ -22,8 +22,8 @@ namespace raceway::correction {
 ///           transfer functions, but identify() fits first-order lags. Only arx_baseline() fits
 ///           transfer functions.
 struct TransferFunction {
-  std::vector<double> numerator, denominator;
-  double sampling = unset;  ///< sampling time [s]
+  std::vector<double> numerator, denominator;  ///< coefficients a(i) and b(i)
+  double sampling = unset;                     ///< sampling time [s]
 };
 
 /// Returns the function without the roots at exactly 1 that numerator and denominator share. In

@@ -15,14 +15,14 @@ namespace raceway::effects {
 ///
 /// Source:   definition. c = 1 means that the model has the wrong ball material; values between 0
 ///           and 1 are only used by the fit.
-/// Domain:   0 <= c <= 1. The effect changes the torque only through the ball loads: the density
-///           changes centrifugal force and gyroscopic moment, and the modulus changes the contact
-///           areas.
+/// Domain:   0 <= c <= 1. The effect changes the torque only through ball loads and contacts: the
+///           density changes centrifugal force and gyroscopic moment, and the modulus changes the
+///           contact areas.
 ///
 /// In the sets of a shaft, the effect assumes that the bearings were mounted with balls of the
 /// other material. A preload entered as a force remains unchanged, because that force was set. A
-/// preload entered as an offset or a class keeps its gap, so stiffer balls increase the preload
-/// force.
+/// preload entered as an offset or a class keeps the gap between the ring faces, so stiffer balls
+/// increase the preload force.
 struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "the ball material differs from the entered material";

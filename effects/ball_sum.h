@@ -23,9 +23,9 @@ struct RollingContact {
 ///
 ///   R_z/R_x = (1 + F(ρ))/(1 - F(ρ)),   R_x = D (1 ∓ γ)/2,   R_z = f D/(2 f - 1)
 ///
-/// D is the ball diameter, f the conformity, and γ = D cos α / d_m with the nominal contact angle
-/// α, as in Bearing::contact(). F(ρ) is the curvature difference. The upper sign is for the inner
-/// race, the lower sign for the outer race.
+/// D is the ball diameter, f the conformity, and γ = D cos α / d_m with the pitch diameter d_m and
+/// the nominal contact angle α, as in Bearing::contact(). F(ρ) is the curvature difference. The
+/// upper sign is for the inner race, the lower sign for the outer race.
 /// Source: F(ρ) Σρ = 1/R_x - 1/R_z and Σρ = 1/R_x + 1/R_z, see groove_curvature().
 [[nodiscard]] inline double radius_ratio(const bearing::BearingGeometry& g, bearing::Race race) {
   const double F = bearing::groove_curvature(g, race, g.contact_angle).difference;
@@ -37,8 +37,9 @@ struct RollingContact {
 ///
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
-/// ω is the shaft speed; αi and αo are the contact angles. If a moment M resists rolling at a
-/// contact, the shaft supplies the power M ω_roll.
+/// ω_roll is the rolling speed at the inner (i) or outer (o) race, ω the shaft speed, and αi and αo
+/// are the contact angles. If a moment M resists rolling at a contact, the shaft supplies the power
+/// M ω_roll.
 /// Source: rotation of the ball relative to the race, about the contact tangent across the rolling
 ///         direction; ω_R, ω_m, β as in bearing/kinematics.h.
 template <typename Value>

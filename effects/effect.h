@@ -23,8 +23,8 @@ namespace raceway::effects {
 
 class OwnMoment;
 
-/// Form of an effect: for a bearing on a rig, for the sets on a shaft, or for a whole spindle with
-/// computed temperatures.
+/// Form of an effect: for a bearing on a rig, for the bearing sets on a shaft, or for a whole
+/// spindle with computed temperatures.
 enum class Form { rig, shaft, spindle };
 inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle};
 
@@ -69,7 +69,8 @@ struct Record {
   double inner_ring_temperature = unset;  ///< [K]
   double outer_ring_temperature = unset;  ///< [K]
   int run = -1;
-  /// Time since the start of the day or of the load sweep [s].
+  /// Time since the start of the day [s]. In a record without long pauses (model/course.h): time
+  /// since the start of the load sweep.
   double since_start = unset;
   double direction = unset;  ///< 1 if the speed was reached from below, -1 if from above
   const record::Record* rows = nullptr;  ///< all recorded rows; null if not known
@@ -96,7 +97,8 @@ struct BaseLaw {
   }
 };
 
-/// Entered or measured values [SI], before any other effect changes them.
+/// Entered or measured values [SI] that Actions::entry corrects before all other steps of a
+/// prediction.
 struct Entry {
   double viscosity_40C, viscosity_100C;  ///< viscosities of the oil
   double temperature;                    ///< temperature of the row
@@ -254,7 +256,7 @@ struct Nature {
   /// True if the effect changes the condition of the bearings but not the axial position of the
   /// shaft.
   bool friction_alone = false;
-  bool as_mounted = false;      ///< true: changes the sets as mounted, at standstill
+  bool as_mounted = false;      ///< true: changes how the sets are mounted (rigid or spring)
   bool of_each_record = false;  ///< true: its size may differ between records
 };
 
@@ -336,7 +338,8 @@ struct Effect {
 
 /// Returns the initial values of all parameters.
 [[nodiscard]] std::vector<double> initial_values(const Description& description);
-/// Returns the initial values, with the neutral value for each parameter that has one.
+/// Returns the neutral value of each parameter, at which the effect has no influence. For a
+/// parameter without a neutral value, returns the initial value.
 [[nodiscard]] std::vector<double> neutral_values(const Description& description);
 
 }  // namespace raceway::effects

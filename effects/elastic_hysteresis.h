@@ -16,7 +16,7 @@ using friction::contact::hysteresis_moment;
 ///   M = c Σ M_h ω_roll/ω       over all contacts, M_h by hysteresis_moment()
 ///
 /// c is a factor on the published law. For ω_roll/ω see sum_over_contacts().
-/// Source:   ω_roll/ω from the balance of power, derived.
+/// Source:   M_h as stated at hysteresis_moment(); ω_roll/ω from the balance of power, derived.
 /// Domain:   converged equilibrium, else NaN. The outer contacts also carry the centrifugal force.
 ///           Only this force distinguishes the effect from the load moment of the base law.
 struct ElasticHysteresis {

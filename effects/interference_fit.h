@@ -18,7 +18,7 @@ namespace raceway::effects {
 /// diameter of the inner raceway is d_i = d_m - D cos α0 (d_m: pitch diameter, D: ball diameter).
 /// ν, ρ and E are Poisson's ratio, density and elastic modulus of the rings. At an entered axial
 /// load, the growth changes the free contact angle α0: cos α0 becomes cos α0 + u/(B D), where B D
-/// is the distance between the groove centres.
+/// is the distance between the groove centres. If α0 = 0, the radial clearance falls by 2 u.
 /// Source:   derived from Lamé for a ring of rectangular section on a solid shaft of the same
 ///           material. The second term of I is the growth of the bore relative to the shaft at
 ///           speed. The centrifugal growth of the raceway is a separate effect.
@@ -26,9 +26,9 @@ namespace raceway::effects {
 ///           comes loose.
 ///
 /// In the sets of a shaft, the fit is part of the mounted state. A preload entered as a force
-/// already includes the fit, so only the loss of interference at speed moves the sets. A preload
-/// entered as an offset or a class refers to bearings before mounting, so the fit increases the
-/// preload.
+/// already includes the fit, so only the loss of interference at speed changes the equilibrium of
+/// the sets. A preload entered as an offset or a class refers to bearings before mounting, so the
+/// fit increases the preload.
 struct InterferenceFit {
   static constexpr std::string_view id = "interference-fit";
   static constexpr std::string_view title = "inner ring expanded by its fit";

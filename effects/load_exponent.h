@@ -14,9 +14,10 @@ namespace raceway::effects {
 ///
 ///   M = M1 ((P0/200 N)^e - 1),   with f1_load = F_b: M1 ((F_b/1000 N)^e - 1)
 ///
-/// M1 is the load moment of the base law. The exponent y of this law becomes y + e. M1 is unchanged
-/// at a medium load of spindle bearings: F_b = 1000 N, or P0 = 200 N. With this reference load, a
-/// fit can separate e from z.
+/// M1 is the load moment of the base law. P0 is the equivalent static load, and F_b the load of the
+/// law M1 = f1 F_b d_m (friction/palmgren.h). The exponent y of the base law becomes y + e. M1 is
+/// unchanged at a medium load of spindle bearings: F_b = 1000 N, or P0 = 200 N. With this reference
+/// load, a fit can separate e from z.
 /// Source:   tests show y from 0.25 to 0.55 instead of 0.33, so e is -0.08 to 0.22 [Palmgren1959,
 ///           form of the law; range assumed].
 /// Domain:   every load; zero without load.

@@ -15,7 +15,7 @@ namespace raceway::effects {
 /// The contact angles and loads of the balls then vary around the ring. The equilibrium is solved
 /// at this tilt.
 /// Source:   definition; 1 to 5 arcmin (0.3 to 1.5 mrad) are usual tolerances of housings.
-/// Domain:   small angles. Without radial load, the sign has no influence.
+/// Domain:   small angles. Without radial load, the sign of c has no influence.
 struct Misalignment {
   static constexpr std::string_view id = "misalignment";
   static constexpr std::string_view title = "tilted inner ring";

@@ -17,10 +17,11 @@ namespace raceway::effects {
 /// F_r is the axial force of the rear set, δ_r its axial compression, x the position of the shaft,
 /// and e the thermal elongation of the shaft relative to the housing. The index 0 means: as
 /// mounted. d is -1 in an X arrangement, otherwise 1. K_r is the stiffness of the rear set as
-/// mounted. The seat is described by its softness s and its hardness h. For a rigid set, s = K_r/K
-/// and h = 1, where K is the stiffness of shaft and housing in series. For a spring of stiffness k,
-/// s = 1 and h = k/K_r; for a spring of constant force, h = 0. In bearing::Arrangement, the
-/// compliance 1/K is called c.
+/// mounted. c interpolates between the entered mounting (c = 0) and the other mounting (c = 1). The
+/// seat is described by its softness s and its hardness h. For a rigid set, s = K_r/K and h = 1,
+/// where K is the stiffness of shaft and housing in series. For a spring of stiffness k, s = 1 and
+/// h = k/K_r; for a spring of constant force, h = 0. In bearing::Arrangement, the compliance 1/K is
+/// called c.
 ///
 /// In a rigid set, c is the share by which a spring in series reduces the variation of the preload,
 /// because rear set and seat together have the stiffness (1 - c) K_r. c = 0 is the set as entered,

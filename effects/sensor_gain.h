@@ -11,6 +11,7 @@ namespace raceway::effects {
 ///
 ///   x_read = (1 + g) x        x in the unit of the channel, for example in N mm or °C
 ///
+/// x is the true value, and g the relative error.
 /// Source:   definition. `standard` is the known quantity that fixes the scale of the channel.
 /// Domain:   every reading.
 template <const auto& card, Need standard>

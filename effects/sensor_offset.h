@@ -11,6 +11,7 @@ namespace raceway::effects {
 ///
 ///   x_read = x + c
 ///
+/// x is the true value, and c the zero error.
 /// Source:   definition.
 /// Domain:   every reading.
 template <const auto& card>
@@ -22,8 +23,8 @@ struct SensorOffset : SensorFault<card> {
   }
 };
 
-/// The offset equals seal-friction with slope zero, but it does not change sign with the direction
-/// of rotation.
+/// The offset equals seal-friction with slope zero, but the offset does not change sign with the
+/// direction of rotation.
 inline constexpr SensorCard<3> torque_offset{
     .channel = record::friction_torque,
     .id = "torque-offset",

@@ -24,16 +24,16 @@ struct SpindleCondition {
                                     ///< rear set, or of the rear set without such a roller bearing
   /// Exponents of the speed for the added motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
-  /// Conductance of a cooled sleeve that the model lacks, from the housing to the coolant inlet, or
-  /// to the ambient without coolant [W/K].
+  /// Conductance of a cooled sleeve that the model lacks [W/K]: from the housing to the coolant at
+  /// its inlet temperature, or to the ambient if the model has no coolant.
   double sleeve_conductance = 0.0;
   /// Extent of the cooled sleeve [1]. With 0, the sleeve lies only between the sets. With 1, the
   /// sleeve reaches over the bearings up to the outermost bearing faces.
   double sleeve_reach = 1.0;
   /// Temperature rise of the machine at the flange [K], and its time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;
-  /// Selects the preload that determines the friction [1]. 0 means the preload selected in the
-  /// model (cold or warm), and 1 the other of these two preloads. Values between interpolate.
+  /// Selects the preload that determines the friction [1]: of the cold or of the warm sets. 0 means
+  /// the preload that the model selects, and 1 the other preload. Values between interpolate.
   double other_preload_feedback = 0.0;
   [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
 };

@@ -18,8 +18,8 @@ namespace raceway::effects {
 ///
 /// Source:   definition, convection to a fluid of uniform temperature. 2 l/min of water carry
 ///           140 W/K.
-/// Domain:   G >= 0. The effect also cools when the pump is off. A record of the pump state
-///           distinguishes this effect from other effects.
+/// Domain:   G >= 0. The law ignores the pump: the sleeve cools even when the pump is off. To
+///           distinguish a sleeve from other effects, compare readings with the pump on and off.
 struct SleeveCoolant {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "coolant";

@@ -28,7 +28,8 @@ struct GrowthByRingTemperatures {
 ///   u = c λ (T_i - T_o) d_m/2        λ thermal expansion of the rings
 ///
 /// At an entered axial load, the growth changes the free contact angle α0: cos α0 becomes cos α0 +
-/// u/(B D), where B D is the distance between the groove centres.
+/// u/(B D), where B D is the distance between the groove centres. If α0 = 0, the radial clearance
+/// falls by 2 u.
 /// Source:   free thermal expansion, derived; c = 1 means unconstrained rings.
 /// Domain:   both ring temperatures are measured. The balls are assumed to have the temperature of
 ///           the outer ring.

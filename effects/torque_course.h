@@ -19,8 +19,9 @@ namespace raceway::effects {
 ///
 /// Source:   definition. Possible causes: an amplifier that warms up, a sensor that is zeroed each
 ///           morning.
-/// Domain:   needs the time of every row. t begins at the start of the day. If the record shows no
-///           pause, t begins at the start of each load sweep (Record::since_start).
+/// Domain:   needs the time of every row. t begins at the start of the day, after a pause of more
+///           than three hours. In a record without such a pause, t begins at the start of each load
+///           sweep (model/course.h).
 struct TorqueCreep {
   static constexpr std::string_view id = "torque-creep";
   static constexpr std::string_view title = "zero of the torque sensor creeps over each day";
@@ -59,8 +60,8 @@ struct TorqueCreep {
 ///   M_read = M + c/2  speed reached from below,   M - c/2  from above
 ///
 /// Source:   definition. Possible causes: a sensor with hysteresis, a support that sticks.
-/// Domain:   needs the time of every row. For the first speed of a run, the law assumes that it was
-///           reached from below (Record::direction).
+/// Domain:   needs the time of every row. The first speed of a run, and the first speed after a
+///           change of the axial load, are assumed to be reached from below (Record::direction).
 struct SpeedHysteresis {
   static constexpr std::string_view id = "speed-hysteresis";
   static constexpr std::string_view title = "readings differ between rising and falling speed";

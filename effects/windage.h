@@ -12,11 +12,13 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)^1.8
 ///
-/// c is the moment at 10 000 rpm. M is the moment of one bearing. In a coast-down, M is the moment
-/// of all rotating parts, including a flywheel, and is added once, not once per bearing.
+/// c is the moment at 10 000 rpm. M is the moment of one bearing, except in a coast-down. There M
+/// is the moment of all rotating parts, including a flywheel, and is added once, not once per
+/// bearing.
 ///
-/// Source:   moment of a turning cylinder in a gap, C_f π ρ ω² R⁴ L with C_f ~ Re^-0.2 (Bilgen and
-///           Boulos, turbulent). The exponent is therefore 2 - 0.2; c is fitted.
+/// Source:   moment of a turning cylinder of radius R and length L in a gap, C_f π ρ ω² R⁴ L, with
+///           the air density ρ and the friction coefficient C_f ~ Re^-0.2 (Bilgen and Boulos,
+///           turbulent). The exponent is therefore 2 - 0.2; c is fitted.
 /// Domain:   speed >= 0. Below Re of about 10 000, the exponent approaches 1.5.
 struct Windage {
   static constexpr std::string_view id = "windage";

@@ -52,12 +52,13 @@ struct EstimatedBearing {
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///
-/// d is the bore, D the outer diameter, and α the contact angle. The ratios k, φ and c are medians
-/// over the rows. The ball diameter D_w is rounded to 1/32 inch, the step of ball sizes. If the
-/// number of balls Z is known, D_w = φ π d_m / Z before rounding. Manufacturers do not publish the
-/// conformity. The estimate is 0.52, with the range 0.517 to 0.54 that reproduces the published
-/// rigidities of bearing pairs by GMN (`raceway calibrate BEARING`). Throws InputError if d or D is
-/// missing, if D is not between 1.1 d and 5 d, or if no row has a contact angle.
+/// d is the bore, D the outer diameter, d_m the pitch diameter, C0 the static load rating, and α
+/// the contact angle. The ratios k, φ and c are medians over the rows. The ball diameter D_w is
+/// rounded to 1/32 inch, the step of ball sizes. If the number of balls Z is known, D_w = φ π d_m /
+/// Z before rounding. Manufacturers do not publish the conformity. The estimate is 0.52, with the
+/// range 0.517 to 0.54 that reproduces the published rigidities of bearing pairs by GMN (`raceway
+/// calibrate BEARING`). Throws InputError if d or D is missing, if D is not between 1.1 d and 5 d,
+/// or if no row has a contact angle.
 [[nodiscard]] EstimatedBearing estimated_bearing(const BearingOutline& outline,
                                                  const std::vector<CatalogueBearing>& rows);
 

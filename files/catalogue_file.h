@@ -19,8 +19,8 @@ struct PairPreload {
 struct CatalogueBearing {
   std::string maker;
   std::string designation;
-  /// C0 is for steel balls. Manufacturers do not publish groove radii, so both conformities are
-  /// 0.52.
+  /// The static load rating C0 is for steel balls. Manufacturers do not publish groove radii, so
+  /// the conformities of both races are 0.52.
   bearing::BearingGeometry geometry;
   double width = unset;                               ///< [m]
   double mass = unset;                                ///< [kg]

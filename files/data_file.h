@@ -14,10 +14,10 @@ namespace raceway::files {
 ///
 /// If the file has no columns of loads or temperature, the values of the model are used. For a
 /// coast-down (a record of only time and speed), the reader calculates the friction torque with the
-/// inertia of the model: see Expected. The reader keeps the measured columns that `subject`
-/// predicts. If the file has none of these columns, it keeps the first column of
-/// Expected::measured, which `subject` may reject. `notes` of the record list everything that was
-/// filled in, ignored or omitted.
+/// inertia of the model. The reader keeps the measured columns that `subject` predicts. If the file
+/// has none of these columns, the reader keeps the first column of model::Expected::measured, which
+/// `subject` may reject. `notes` of the record list everything that was filled in, ignored or
+/// omitted.
 ///
 /// An empty cell is an error, with three exceptions. If the record keeps several measured columns,
 /// an empty cell in one of them is a missing reading. Empty cells of measured columns that are not

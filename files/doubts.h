@@ -13,14 +13,16 @@ namespace raceway::files {
 /// if two columns seem to be exchanged.
 ///
 /// Readings:     the test uses the median of |reading / prediction| over at least 5 rows. Free
-///               parameters or missing effects may explain a factor of up to 5. A larger factor is
-///               reported if it is near 1000, 1e6, 60 or 9.7 (9.81 for kgf, 60/(2 pi) for rad/s).
-/// Temperatures: the test uses the lowest and the highest value.
+///               parameters or missing effects may explain a ratio from 1/5 to 5. A ratio outside
+///               this range is reported if the ratio or its reciprocal is near 1000, 1e6, 60 or 9.7
+///               (9.81 for kgf, 60/(2 pi) for rad/s).
+/// Temperatures: values between 220 and 470 C look like kelvin. If not, temperature_C with
+///               values between 150 and 400 C looks like Fahrenheit.
 /// Refits:       the free parameters are fitted again with temperatures in degrees Fahrenheit (if
 ///               no row is colder than 59 C), with axial loads of a bearing in kgf, and with times
-///               of a coast-down in min, h or ms. The test compares the errors of these fits and
-///               the deviations of the fitted values from usual values. Preloads and loads of a
-///               shaft are tested for kgf and kN without a fit.
+///               of a coast-down in min, h or ms. The test compares the RMS relative errors of
+///               these fits, and the ratios of the fitted values to the values of the model.
+///               Preloads and loads of a shaft are tested for kgf and kN without a fit.
 /// Columns:      two columns are reported if the record agrees with the model only after they are
 ///               exchanged.
 [[nodiscard]] std::vector<Doubt> doubts(const model::ModelSubject& subject,

@@ -20,7 +20,8 @@ namespace raceway::files {
 [[nodiscard]] friction::TorqueTable parse_friction_table(std::string text,
                                                          const std::string& source);
 
-/// Converts a friction table to a table for the power input of a correction.
+/// Converts a friction table to the type that a correction uses to calculate its input, the
+/// friction power.
 [[nodiscard]] correction::FrictionTable of_correction(friction::TorqueTable table);
 
 /// Input of a table of gains or time constants: the column "power_W" with the variable "power", or

@@ -53,8 +53,8 @@ class ModelData {
   std::vector<ModelDatum> data_;
 };
 
-/// Spread of a number of a model as the user writes it: "0.01" in the unit of the number, or "10%"
-/// of its value.
+/// Spread (possible error upwards and downwards) of a number of a model, as the user writes it:
+/// "0.01" in the unit of the number, or "10%" of its value.
 struct SpreadText {
   std::string name;
   std::string text;

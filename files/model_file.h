@@ -25,7 +25,8 @@ struct ModelFile {
   /// Full name of the catalogue bearing that the file names; empty without one.
   std::string catalogue = {};
   /// Keys of [bearing], [solver] and the bearings of [arrangement] whose values differ from the
-  /// default or the catalogue, and all keys in the file that only the contact law uses.
+  /// default or the catalogue. Keys in [lubricant] and [bearing] that only the contact law uses are
+  /// listed with any value.
   std::vector<std::string> written = {};
   /// All defaults that were used.
   std::vector<UsedDefault> defaults;
@@ -51,8 +52,8 @@ struct ModelFile {
 
 /// A new value for a number of a model file, in the unit of its key.
 struct KeyValue {
-  /// Address of record::Parameter: "friction.f0", or "effect.0.friction_coefficient" for the first
-  /// [[effect]].
+  /// Table and key: "friction.f0", or "effect.0.friction_coefficient" for the first [[effect]]; see
+  /// record::Parameter::addresses.
   std::string key;
   double value;
   /// New comment after the value. If it is empty, the present comment stays. A value in a table in

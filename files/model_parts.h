@@ -9,7 +9,7 @@ namespace raceway::files {
 /// is not TOML; parse_model() reports this error.
 struct ModelParts {
   bool bearing = false;  ///< true: the file has a table [bearing]
-  /// Columns of the displacements in [correction] or [[correction]].
+  /// Column names of the displacements in [correction] or [[correction]].
   std::vector<std::string> displacements{};
 };
 [[nodiscard]] ModelParts parts_of(const std::string& text);

@@ -15,9 +15,9 @@ struct NewCorrection {
 };
 
 /// Makes a first correction file for the displacements of a time record. The file has one channel
-/// for each temperature that varies by more than 0.5 K. If there is no such temperature, it has one
-/// channel for the speed, if the speed varies. If there are more than four such temperatures, it
-/// has no channel, and a comment gives the command for a bank of lags.
+/// for each temperature that varies by more than 0.5 K. If there is no such temperature, the file
+/// has one channel for the speed, if the speed varies. If there are more than four such
+/// temperatures, the file has no channel, and a comment gives the command for a bank of lags.
 ///
 /// Assumed values are marked: the tolerance is a tenth of the range of the displacement, but at
 /// least 0.1 um; a time constant is a tenth of the longest run; and the gains divide the range of

@@ -14,8 +14,8 @@ namespace raceway::files {
 
 /// Checks whether lengths of a bearing are in inches. The ball diameter is probably in inches if
 /// the balls fill a far too small fraction of the pitch circle. All lengths are probably in inches
-/// if the load rating is far too high for the size of the balls. In both cases, the converted
-/// lengths must give a usual fraction or rating.
+/// if the load rating is far too high for the size of the balls. In both cases, the text is empty
+/// unless the lengths, converted from inches, give a usual fraction or rating.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

@@ -29,8 +29,8 @@ struct LoadCase {
 /// load_case assigns the rows to load cases. Without this column, all rows with the same power are
 /// one case; without a power, all rows with the same speed. The rows may be in any order.
 ///
-/// Throws InputError for a missing column, a cell that is not a number, a time below 0, a time that
-/// occurs twice in a case, and a speed that changes within a case.
+/// Throws InputError for a missing column, a cell that is not a number in the allowed range, a time
+/// that occurs twice in a case, and a speed that changes within a case.
 [[nodiscard]] std::vector<LoadCase> read_load_cases(const std::string& path);
 
 /// Parses load cases from text; `source` is the file name in messages.

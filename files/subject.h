@@ -7,8 +7,8 @@
 
 namespace raceway::files {
 
-/// Returns the fit::Subject of a model of a bearing on a rig, of the bearing sets on a shaft, or of
-/// a spindle.
+/// Returns the fit::Subject (a model prepared for fits and diagnosis) of a bearing on a rig, of the
+/// bearing sets on a shaft, or of a spindle.
 [[nodiscard]] std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model);
 /// Returns the fit::Subject of a model for a record. For the bearing sets on a shaft, the columns
 /// of the record determine whether the result predicts axial displacement or friction torque.

@@ -65,8 +65,8 @@ class CostlyProblem {
   /// Returns the derivatives of the means with respect to the scaled parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
   /// Returns the derivative of the means with respect to a scaled parameter, from a step of `by`,
-  /// or of -`by` if a bound prevents the step. If `better` is given and the fit after the step has
-  /// a smaller misfit than `*better`, it replaces `*better`.
+  /// or of -`by` if a bound prevents the step. If `better` is given, it receives the fit after
+  /// the step if this fit has a smaller misfit than `*better`.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
   /// Continues the fit from `best` until `end`. `slope` contains derivatives with respect to scaled
@@ -74,8 +74,9 @@ class CostlyProblem {
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
   /// Switches the candidates on at the end of another fit, and computes the derivatives with
-  /// respect to their sizes. The readings are predicted at several points for these derivatives;
-  /// the result begins at the best of these points.
+  /// respect to their sizes. For each candidate, the function predicts the readings with a changed
+  /// size. The result contains the parameter values with the smallest misfit among these
+  /// predictions and the prediction without candidates.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;

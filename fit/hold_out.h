@@ -38,8 +38,8 @@ struct HoldOut {
                                        const Eigen::VectorXd& std, const Observations& observed,
                                        const Blocking& blocking);
 
-/// Returns the RMS of the errors in the member `rmse` over several hold-out tests, for each channel
-/// [SI]; empty without tests.
+/// Returns the RMS of the errors over several hold-out tests, for each channel [SI]; empty without
+/// tests. `rmse` is the member with the errors: HoldOut::rmse_before or HoldOut::rmse_after.
 [[nodiscard]] std::vector<double> rms_over(const std::vector<HoldOut>& results,
                                            std::vector<double> HoldOut::*rmse);
 

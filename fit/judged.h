@@ -18,8 +18,8 @@ using record::Record;
 /// of powers of the inputs.
 struct Surface {
   struct Input {
-    /// Value of the input in each row, or for example its logarithm. The misfit is a smooth
-    /// function of these values.
+    /// Value of the input in each row, or a function of this value such as its logarithm. The
+    /// misfit is a smooth function of these values.
     std::vector<double> values;
     double least = 0.0;  ///< an input with a smaller range is treated as constant
   };
@@ -73,7 +73,7 @@ struct Axis {
 };
 
 /// Fault of the measurement that the record itself shows, such as a coarse resolution. No parameter
-/// of the model corrects it.
+/// of the model corrects this fault.
 struct Fault {
   std::string id;  ///< id in Subject::catalogue()
   /// True: the record proves the fault; false: the fault is reported only if it explains the

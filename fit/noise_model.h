@@ -42,8 +42,8 @@ struct NoiseModel {
   /// Whitenings with other noise parameters that the readings also allow. A verdict must be valid
   /// with each of them.
   std::vector<Whitening> allowed{};
-  /// True if the data cannot show offsets of runs, because a setting changes whenever the run
-  /// changes.
+  /// True if the data cannot show offsets of runs, for example because a setting changes whenever
+  /// the run changes. `run_share` is then at least 0.5.
   bool unknown_runs = false;
   /// True if `run_share` describes blocks of rows that are not declared as runs
   /// (RowOrder::new_block).
@@ -72,8 +72,8 @@ struct NoiseModel {
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
-/// Parts of the noise model. A part that is set to false is not used; the difference shows its
-/// influence.
+/// Parts of the noise model. A part that is set to false is not used. To see the influence of a
+/// part, compare the results with and without the part.
 struct NoiseOptions {
   bool correlation = true;
   bool runs = true;
@@ -88,8 +88,8 @@ struct ChannelReadings {
   /// Declared standard deviations [SI]; empty unless every reading has one.
   Eigen::VectorXd std{};
   bool known = false;  ///< true if `std` is as good as exact (Column::known)
-  /// Change of each reading when each input that scatters changes by its step (record::step_of()),
-  /// as root of the sum of squares [SI]; empty if no input scatters.
+  /// Change of each reading when each input that scatters changes by its step (record::step_of()):
+  /// root of the sum of squares over these inputs [SI]; empty if no input scatters.
   Eigen::VectorXd slope{};
   /// Standard deviation of each mean over a dwell, up to a common factor [1]; empty if rows are not
   /// means.

@@ -21,10 +21,11 @@ struct Screened {
   Candidate candidate{};
   bool one_sided = false;  ///< true if only one sign of the size is physical
   double unit_size = 1.0;  ///< typical difference between the size and its neutral value
-  /// Change of the readings for a size of `unit_size`, linearised at the neutral size [SI, not
-  /// whitened]. The matrix has one column for each tested value of the shape parameters. Columns
-  /// without a change are left out. If no small size changes a reading, the change for the largest
-  /// size seen in practice is scaled to `unit_size`.
+  /// Change of the readings if the size differs from its neutral value by `unit_size`, linearised
+  /// at the neutral value [SI, not whitened]. The matrix has one column for each tested set of
+  /// values of the other parameters of the candidate. Columns without a change are left out. If no
+  /// small size changes a reading, the change for the largest size seen in practice is scaled to
+  /// `unit_size`.
   Eigen::MatrixXd scores{};
   /// Change of the readings for the largest size seen in practice [SI]. The matrix has one column,
   /// or none if Saturation::proportional is true.
@@ -49,7 +50,7 @@ struct Problem {
   std::vector<Screened> candidates{};
   std::shared_ptr<const void> prepared{};
   /// Function that is called before each prediction. If it returns true, the prediction throws
-  /// Cancelled. May be empty.
+  /// Cancelled. The function may be empty.
   std::function<bool()> cancelled{};
 
   [[nodiscard]] const Eigen::VectorXd& measured() const { return observed.measured; }

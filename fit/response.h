@@ -24,8 +24,8 @@ struct Response {
   /// Predicted observations [SI]; NaN for a missing prediction.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 
-  /// Index of the first observation of each channel, and the number of observations; empty means
-  /// one channel.
+  /// Index of the first observation of each channel; the last entry is the number of observations.
+  /// Empty means one channel.
   std::vector<Eigen::Index> parts{};
 
   struct Affine {

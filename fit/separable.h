@@ -25,10 +25,10 @@ struct Means {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
 };
 
-/// Returns the tolerance of a channel [SI]. If none is given, a model that only approximates has a
-/// calculated tolerance: the root of the sum of squares of its declared error and the noise of a
-/// reading, or the declared error alone if the noise is unknown. The result is NaN for other models
-/// and without a declared error.
+/// Returns the tolerance of a channel [SI]. If none is given, a model that only approximates the
+/// readings has a calculated tolerance: the root of the sum of squares of its declared error and
+/// the noise of a reading, or the declared error alone if the noise is unknown. If no tolerance is
+/// given, the result is NaN for other models and for models without a declared error.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Returns the means of readings over time intervals of `width` [s]. A mean has rows of one run and
@@ -57,8 +57,8 @@ struct SeparableFit {
 /// constants from becoming very large with opposite signs. A prior (value ± std) of a parameter v
 /// adds w (v - value)²/std² to the sum, where w is the variance of a weighted mean. The fitted v is
 /// therefore near the prior, unless the means determine v better than the prior. The object stores
-/// predictions that a bending parameter does not change (Predictor::bends()). Several threads must
-/// therefore not use one object at the same time.
+/// the latest predictions and computes only those again that a changed bending parameter affects
+/// (Predictor::bends()). Several threads must therefore not use one object at the same time.
 class Separable {
  public:
   /// `record` and `prepared` are the arguments of Subject::predictor(). All arguments must live
@@ -94,9 +94,9 @@ class Separable {
   static constexpr double usual_ridge = 1e-6;
 
  private:
-  /// Readings with all linear parameters at zero, and readings per unit of each linear parameter.
-  /// If `values` is not empty, all members are valid for these values and exclude the held-out
-  /// block.
+  /// Predicted means with all linear parameters at zero (`constant`), and the change of the
+  /// predicted means per unit of each linear parameter (`columns`). If `values` is not empty, all
+  /// members are valid for these values and exclude the held-out block.
   struct Basis {
     Eigen::VectorXd values;
     Eigen::VectorXd constant;
@@ -111,7 +111,7 @@ class Separable {
     Eigen::Index parameter = 0;
     double per_unit = unset;
   };
-  /// Returns the readings of all means, then of the priors.
+  /// Returns the predictions of all means, followed by the predictions of all prior readings.
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
   void read_priors(const Eigen::VectorXd& values, Eigen::VectorXd& readings) const;
   [[nodiscard]] SeparableFit without_priors(SeparableFit fit) const;

@@ -24,7 +24,7 @@ class SeveralRecords : public Subject {
   SeveralRecords(std::shared_ptr<const Subject> model, const Record& record,
                  std::vector<std::string> own);
 
-  /// Returns the names of the records, in their order.
+  /// Returns the names of the records, in the order in which they were joined.
   [[nodiscard]] const std::vector<std::string>& records() const { return records_; }
   /// Returns the names of the own parameters.
   [[nodiscard]] const std::vector<std::string>& own() const { return own_; }
@@ -103,7 +103,7 @@ class SeveralRecords : public Subject {
   /// Returns the place of a name that belongs to an own parameter of a record.
   [[nodiscard]] std::optional<Place> place_of(const std::string& name) const;
   [[nodiscard]] std::string name_of(const Place& place) const;
-  /// Returns the same records with another model.
+  /// Returns a copy with another model for these records.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_model(
       std::shared_ptr<const Subject> model) const;
   SeveralRecords(const SeveralRecords&) = default;

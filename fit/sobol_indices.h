@@ -57,8 +57,12 @@ struct SobolIndices {
 /// Computes the Sobol' indices of a function. `values` are its values at the points of `design`, in
 /// the order of the evaluations.
 ///
-///   S_i  = mean(f_B (f_AB_i - f_A)) / V        f less its mean
-///   ST_i = mean((f_A - f_AB_i)²) / (2 V)       V: variance of f over A and B
+///   S_i  = mean(f_B (f_AB_i - f_A)) / V
+///   ST_i = mean((f_A - f_AB_i)²) / (2 V)
+///
+/// S_i is SobolIndex::first, and ST_i is SobolIndex::total. f_A, f_B and f_AB_i are the values at
+/// the points of the sets A, B and AB_i (see SobolDesign), minus the mean over A and B. V is the
+/// variance over A and B.
 ///
 /// The errors of the indices are 1.96 times their standard deviation over 200 bootstrap resamplings
 /// of the samples. The bootstrap assumes independent samples, but Sobol' points are distributed

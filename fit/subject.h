@@ -31,8 +31,8 @@ struct Measured {
   /// comes from an input that was not recorded. NaN if unknown.
   double most_scatter = unset;
   /// Declared error of the model itself [SI]. This error is added to the noise as an independent
-  /// scatter. For a model that only approximates, the error is part of the calculated tolerance
-  /// (tolerance_of()).
+  /// scatter. For a model that only approximates the readings, the error is part of the calculated
+  /// tolerance (tolerance_of()).
   double model_error = 0.0;
   /// Standard deviation of a single reading [SI]; NaN if the model does not declare it.
   double std = unset;
@@ -59,8 +59,9 @@ class Predictor {
   /// get NaN if the model rejects the values.
   virtual void readings(std::span<const double> values, std::span<double> out) = 0;
   /// Returns false only if `parameter` never changes the derivative of the readings with respect to
-  /// the linear parameter `of`. If `of` is `none`, this applies to the readings with all linear
-  /// parameters at zero. `parameter` and `of` are indices of the names given to predictor().
+  /// the linear parameter `of`. With `of` = `none`, the function returns false only if `parameter`
+  /// never changes the readings that are predicted with all linear parameters at zero. `parameter`
+  /// and `of` are indices of the names given to predictor().
   /// Default: true.
   [[nodiscard]] virtual bool bends(std::size_t parameter, std::size_t of) {
     (void)parameter, (void)of;
@@ -76,17 +77,19 @@ struct Candidate {
   /// Index of the parameter that gives the candidate its size. If it is at Parameter::neutral, the
   /// candidate changes nothing.
   std::size_t size = 0;
-  /// True if the candidate corrects the base law of the model. Such candidates are preferred to
-  /// physical effects.
+  /// True if the candidate corrects the base law of the model. If several candidates explain the
+  /// misfit, a verdict names corrections of the base law before physical effects.
   bool base_law = false;
   bool of_the_user = false;     ///< true: a user-defined effect, whose typical size is unknown
   bool empirical = false;       ///< true: a shape that describes the misfit without a physical law
   bool of_each_record = false;  ///< true: a datum that may differ between joined records
   bool of_time = false;         ///< true: the effect depends on the time of a row
   /// Allowed values of each parameter, in ascending order. An empty list, or an empty entry for one
-  /// parameter, allows all values within its bounds. In a model that only approximates, a parameter
-  /// with allowed values is a point, such as the time of a jump, at which the preceding linear
-  /// parameter acts. A second or further point of one candidate is used only if it is needed.
+  /// parameter, allows all values within its bounds. In a model that only approximates the
+  /// readings, a parameter with allowed values is the position of a change, such as the time of a
+  /// jump. The preceding linear parameter is the size of this change. If a candidate has several
+  /// such positions, each position after the first is used only if it reduces the misfit by more
+  /// than 15 %.
   std::vector<std::vector<double>> only{};
   /// True if the candidate only corrects this record and does not apply to other records.
   bool of_reading = false;
@@ -148,8 +151,8 @@ class Subject : public Judged {
   /// weight, and the verdict uses the error on held-out parts of the record.
   [[nodiscard]] virtual bool approximates() const { return false; }
   /// Returns true if a prediction is so slow that a fit can use only dozens of predictions, not
-  /// thousands. The fit then uses one start, few derivatives, and linearised held-out errors. Only
-  /// subjects that approximate may return true.
+  /// thousands. The fit then uses one start, few derivatives, and linearised held-out errors. May
+  /// return true only if approximates() returns true.
   [[nodiscard]] virtual bool is_costly() const { return false; }
   /// Returns intermediate results that all predictors for this record share; may be null.
   [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
@@ -192,8 +195,8 @@ class Subject : public Judged {
                                                             const Shape& shape) const;
   /// Returns base laws that may replace the base law of the model. Default: none.
   [[nodiscard]] virtual std::vector<OtherBase> other_bases() const;
-  /// Explains in one sentence why an id of catalogue() cannot act in this model, for any record.
-  /// The text is empty if the effect can act. Default: empty.
+  /// Returns a sentence that explains why the effect `id` of catalogue() cannot occur in this
+  /// model, for any record. The sentence is empty if the effect can occur. Default: empty.
   [[nodiscard]] virtual std::string rules_out(const std::string& id) const;
   /// Returns a text with the corrected datum for these parameter values; empty if the candidate is
   /// not a datum. Default: empty.

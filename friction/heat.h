@@ -24,7 +24,7 @@ struct HeatSources {
   double spin_coefficient = 0.0;  ///< coefficient of `spin-friction` [1]; 0 without this effect
 };
 
-/// Heat of each ring [W]. The sum of both equals the power loss to within rounding error.
+/// Heat of each ring [W]. The heat of both rings equals the power loss to within rounding error.
 struct HeatSplit {
   double inner = unset;
   double outer = unset;
@@ -43,7 +43,8 @@ struct HeatSplit {
 /// proportional to contact load times rolling path, viscous friction to the rolling path only
 /// (equal films at both races). At low speed, Q and v are equal at both contacts, so each ring gets
 /// half of these losses. Each ring also gets half if no ball is loaded. μ is
-/// HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s.
+/// HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s. ω is the shaft speed, ω_m
+/// the orbital speed of the balls.
 ///
 /// Domain:   the heat is NaN without a converged equilibrium, and zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,

@@ -73,7 +73,7 @@ T f1_load(const BearingState<T>& s) {
 }
 
 /// Typical load of a spindle bearing [N]: F_b = 1000 N or P0 = 200 N, which belong to about the
-/// same thrust. A power law with a fitted load exponent uses it as its reference load.
+/// same thrust. This load is the reference load in power laws with a fitted load exponent.
 [[nodiscard]] constexpr double medium_load(F1Load load) {
   return load == F1Load::P0 ? 200.0 : 1000.0;
 }

@@ -17,9 +17,9 @@ namespace raceway::friction {
 /// of the exponents in a fit. The load moment of the law is PalmgrenLoad; its exponent 1 + y is
 /// fitted too.
 ///
-/// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47
-///           [BibouletHoupert2010]. The exponents of a bearing have no published values; they are
-///           fitted.
+/// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47, with
+///           dimensionless speed U and load W [BibouletHoupert2010]. The exponents of a bearing
+///           have no published values; they are fitted.
 /// Domain:   the measured speeds, loads and temperatures. The moment is zero at zero load.
 /// Accuracy: as accurate as the fit within the measured range; unknown outside this range.
 struct PowersViscous {

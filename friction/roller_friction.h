@@ -17,7 +17,7 @@ namespace raceway::friction {
 /// Inputs of the laws of a cylindrical roller bearing.
 struct RollerState {
   const bearing::RollerBearing* bearing = nullptr;
-  F1Load counted = F1Load::rollers;    ///< load F that the law uses: F_r or rollers
+  F1Load counted = F1Load::rollers;    ///< choice of the load F, see counted_load()
   double speed = 0.0;                  ///< [rad/s]
   double radial_load = 0.0;            ///< F_r [N], magnitude
   double inner_sum = 0.0;              ///< Σ Qi, roller loads at the inner ring [N]
@@ -73,8 +73,8 @@ struct SkfRollerConstants {
 ///   M_rr = φ_ish φ_rs R1 d_m^2.41 F^0.31 (ν n)^0.6
 ///   M_sl = μ_sl (S1 d_m^0.9 F_a + S2 d_m F),   F_a = 0
 ///
-/// The formulas are in the units of SkfRollerConstants. d_m is (d + D)/2, F is counted_load(), and
-/// skf.h defines φ and μ_sl. The default 0.02 of μ_EHL is from memory.
+/// The formulas are in the units of SkfRollerConstants. d_m is the mean of bore and outer diameter,
+/// F is counted_load(), and skf.h defines φ and μ_sl. The default 0.02 of μ_EHL is from memory.
 /// Source:   the formulas are in SKF, Rolling bearings (catalogue), friction, table 2a. For the
 ///           constants see SkfRollerConstants. The formulas have no term for centrifugal force.
 /// Domain:   speed >= 0, viscosity > 0; bore and outer diameter given.
@@ -108,6 +108,7 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///   viscous   half for each ring: the rolling speed ω d_m (1 - γ²)/4 is equal at both raceways
 ///   load      in proportion to Σ Qi and Σ Qo
 ///
+/// γ is the ratio of roller diameter to pitch diameter d_m.
 /// Source: like split_heat() for balls, at contact angle zero. Each ring gets half if the sums Σ Q
 ///         are zero or NaN. The heat of both rings equals the power loss to within rounding error.
 [[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);

@@ -25,9 +25,9 @@ struct SkfConstants {
 
 /// Constants of single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a
 /// to 5].
-/// Domain: the bearings of the catalogue have a contact angle of 40 deg (72 BE, 73 BE). Here
-///         spindle bearings of 15 to 25 deg use the same constants, which the source does not
-///         cover: R2 and S2, the factors of the axial load, are for 40 deg.
+/// Domain: the bearings of the catalogue have a contact angle of 40 deg (72 BE, 73 BE). The code
+///         also uses the constants for spindle bearings of 15 to 25 deg. The source does not cover
+///         these angles: R2 and S2, the factors of the axial load, are for 40 deg.
 inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .R2 = 1.97,
                                                   .R3 = 1.90e-12,
@@ -50,7 +50,7 @@ inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
 ///
 /// The formula is in its published units: n [rpm], d_m [mm], ν [mm²/s].
 /// Source: [SKFGeneral, p. 91-101].
-/// Domain: speed >= 0, viscosity > 0; 1 at standstill.
+/// Domain: speed >= 0, viscosity > 0; the share is 1 at standstill.
 template <typename T>
 T inlet_shear_factor(const T& speed, const T& viscosity, double mean_diameter) {
   using std::pow;
@@ -91,7 +91,9 @@ T boundary_share(const T& speed, const T& viscosity, double mean_diameter) {
   return exp(-2.6e-8 * pow(nu_n, 1.4) * (mean_diameter / mm));
 }
 
-/// Friction coefficient of sliding, μ_sl = φ_bl μ_bl + (1 - φ_bl) μ_EHL [1].
+/// Friction coefficient of sliding, μ_sl = φ_bl μ_bl + (1 - φ_bl) μ_EHL [1]. φ_bl is `share`, from
+/// boundary_share(). μ_bl is the coefficient of boundary lubrication, μ_EHL the coefficient of a
+/// full film.
 /// Source: [SKFGeneral, p. 91-101].
 template <typename T>
 T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
@@ -103,13 +105,13 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///   M_rr = φ_ish φ_rs R1 d_m^1.97 (F_r + F_g + R2 F_a)^0.54 (ν n)^0.6,   F_g = R3 d_m^4 n²
 ///
 /// The formula is in its published units: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]. The
-/// code converts these units. F_a is the external axial load. For ceramic balls, skf_ball_factor()
-/// multiplies R3.
+/// code converts these units. φ_ish is inlet_shear_factor(), φ_rs is replenishment_factor(), and
+/// F_a is the external axial load. For ceramic balls, R3 is multiplied by skf_ball_factor().
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Some constants
 ///           differ in editions since 2013.
-/// Domain:   speed >= 0, viscosity > 0, α0 > 0. The moment is zero at standstill and without load.
-///           There the formula has an infinite derivative with respect to speed or load; with a
-///           type T for automatic differentiation, the code returns zero derivatives.
+/// Domain:   speed >= 0, viscosity > 0, contact angle > 0. The moment is zero at standstill, where
+///           the formula has an infinite derivative with respect to speed. There the code returns
+///           zero derivatives if T is a type for automatic differentiation.
 /// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
 struct SkfRolling {
   static constexpr std::string_view id = "skf_rolling";
@@ -146,7 +148,7 @@ struct SkfRolling {
 /// these units. μ_bl is about 0.15. μ_EHL is 0.05 with mineral oil, 0.04 with synthetic oil and 0.1
 /// with transmission fluid.
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact).
-/// Domain:   speed >= 0, viscosity > 0, α0 > 0. At standstill, μ_sl is μ_bl.
+/// Domain:   speed >= 0, viscosity > 0, contact angle > 0. At standstill, μ_sl is μ_bl.
 /// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
 struct SkfSliding {
   static constexpr std::string_view id = "skf_sliding";

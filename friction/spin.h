@@ -15,8 +15,9 @@ namespace raceway::friction {
 ///
 ///   M_s / μ = (3/8) Q a E(k)
 ///
-/// a is the semi-major axis of the contact ellipse. E(k) is the complete elliptic integral of the
-/// second kind with modulus k = sqrt(1 - (b/a)²). For a circular contact M_s / μ = (3 π/16) Q a.
+/// Q is the contact load. a and b are the semi-major and the semi-minor axis of the contact
+/// ellipse. E(k) is the complete elliptic integral of the second kind with the modulus
+/// k = sqrt(1 - (b/a)²). For a circular contact M_s / μ = (3 π/16) Q a.
 ///
 /// Source:   [Harris2006, vol. 2, ch. 5; CaseStudy, eq. 23].
 /// Domain:   every load; 0 where Q <= 0.

@@ -63,7 +63,7 @@ struct TableSlab {
 struct StribeckTable {
   TableAxes axes;
   TableSlab slab;                       ///< the members below contain the values of this slab
-  std::vector<std::string> columns;     ///< names; the code that fills the table defines the units
+  std::vector<std::string> columns;     ///< names, which contain the units of files: "power_loss_W"
   std::vector<double> friction_moment;  ///< [N m]; NaN if a point has no value
   std::vector<bearing::SolveStatus> status;  ///< status of each point
   std::vector<double> values;  ///< values of all `columns` in SI units, point by point
@@ -134,8 +134,8 @@ struct InterpolatedMoment {
 ///           any `outside`, it also throws if a member of `position` is not finite.
 /// Accuracy: exact at grid points. For equal spacing h the error is of order h³, and of order h²
 ///           near the ends and near an extremum. Along a grid line, the moment is monotone where
-///           its points are monotone. Between grid lines, the moment is usually monotone, but not
-///           always.
+///           the values of the grid points are monotone. Between grid lines, the moment is usually
+///           monotone, but not always.
 [[nodiscard]] InterpolatedMoment interpolate(const StribeckTable& table,
                                              const TablePosition& position, Outside outside);
 

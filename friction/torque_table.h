@@ -27,8 +27,8 @@ struct TorqueTable {
   StribeckTable grid{};  ///< friction moment at every point
   /// Half width of the 95 % error band of the moment, on the same grid; empty if not known.
   StribeckTable band{};
-  /// Load-dependent part of the moment, on the same grid, as in tables of `raceway table`. It is
-  /// used to split the heat between the rings; empty if not known.
+  /// Load-dependent part of the moment, on the same grid, as in tables of `raceway table`; empty if
+  /// not known. split_heat() uses this part to split the heat between the rings.
   StribeckTable load{};
   /// True for axes that the file has. The other axes have one value in the grid.
   bool has_axial_load = true, has_radial_load = true, has_temperature = true;

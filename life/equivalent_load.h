@@ -18,7 +18,7 @@ struct LoadFactors {
 ///
 /// Between these angles, the factors are linear in the angle. Z is the number of balls, and D is
 /// the ball diameter. Catalogues use the ratio f0 F_a/C0 instead of F_a/(Z D²). Because C0 = f0 Z
-/// D² cos α, both ratios differ only by the factor cos α, at least 0.966 up to 15 deg.
+/// D² cos α, the two ratios differ only by the factor cos α, at least 0.966 up to 15 deg.
 /// Source:   [ISO281, table 3], not checked against the print. All rows of the table
 ///           come from a transcript. In every row, X + Y e = 1 within 1 % (tested), because P is
 ///           continuous at e.

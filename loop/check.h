@@ -25,7 +25,7 @@ struct Check {
   };
   struct Testable {
     std::string id;
-    std::string ruled_out;  ///< reason why the effect cannot act here; empty if it can
+    std::string ruled_out;  ///< reason why the effect cannot act in this model; empty if it can
     std::string missing;    ///< input that the record or the model lacks; empty if testable
     std::string levels;     ///< levels of inputs that the record lacks; empty if none
   };

@@ -18,13 +18,14 @@ namespace raceway::model {
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
 
 /// Returns an effect as a candidate that `diagnose` tests; empty for an effect without a size
-/// parameter. If all rotating parts of a coast-down rig contribute to the effect, the upper end of
-/// the plausible range is the upper bound of the size parameter.
+/// parameter. If all rotating parts of a coast-down rig contribute to the effect, the plausible
+/// range of each parameter ends at the upper bound of the parameter.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
                                                          const Model& model);
 
 /// Describes the measurements that would distinguish the effects in `rivals`, which explain the
-/// data equally well. The result is in the order of the catalogue and has no repetitions.
+/// data equally well. The result is in the order of the catalogue of effects and has no
+/// repetitions.
 [[nodiscard]] std::vector<std::string> settling_records(
     effects::Form form, const std::vector<std::vector<std::string>>& rivals);
 

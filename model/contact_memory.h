@@ -25,6 +25,7 @@ using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 class ContactMemory {
  public:
   /// Returns the contact result for the bearing state `s` with the ball equilibrium `balls`.
+  /// `values` are the parameter values of the contact law, in all functions of this class.
   [[nodiscard]] friction::contact::ContactResult at(const Balance& balls,
                                                     const friction::BearingState<double>& s,
                                                     std::span<const double> values);

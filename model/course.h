@@ -6,7 +6,8 @@
 
 namespace raceway::model {
 
-/// Position of a row in the course of a measurement; NaN if not every row has a time.
+/// Position of a row in the course of a measurement. All members are NaN if a row of the record has
+/// no time.
 struct Course {
   double since_start = unset;  ///< time since the start of the day or of the load sweep [s]
   double direction = unset;    ///< 1 if the speed rose to its value, also from rest; -1 if it fell

@@ -58,8 +58,8 @@ inline constexpr Limit oil_stiff{"stiff_oil", 1e5, "mm2/s"};
 /// Temperature up to which rings are dimensionally stable and the additives of mineral oil remain
 /// effective. Source: dimensional stability S0 of bearing rings, 150 °C.
 inline constexpr Limit oil_hot{"hot_oil", 150.0, "C"};
-/// Largest interference over bore. Source: makers allow up to 1/1000 of the shaft diameter (from
-/// memory). At 0.6/1000, the hoop stress of a ring is 127 MPa.
+/// Largest ratio of interference to bore. Source: makers allow up to 1/1000 of the shaft diameter
+/// (from memory). At 0.6/1000, the hoop stress of a ring is 127 MPa.
 inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
 /// Largest slope of the bending line at the nose. At a larger slope, the deflections of beam and
 /// seats are not proportional to the load, and the bearings are tilted far more than the 0.6 mrad
@@ -75,12 +75,12 @@ inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 struct Finding {
   std::string_view limit;  ///< id of the limit that is exceeded
   bool is_warning = true;
-  std::string place = {};                 ///< bearing on its shaft; empty for a bearing on a rig
+  std::string place = {};                 ///< name of the bearing on its shaft; empty for a rig
   double value = unset, allowed = unset;  ///< result and limit at the worst point, in `unit`
   std::string_view unit = {};
   double speed = unset;    ///< speed at the worst point [rad/s]; NaN: as mounted
   std::size_t points = 1;  ///< number of points beyond the limit
-  std::string text = {};   ///< one line for the reader
+  std::string text = {};   ///< one line of text that describes the finding
 };
 
 using Findings = std::vector<Finding>;
@@ -162,7 +162,7 @@ class Judge {
 /// Physically possible range of a value, with the reason for its limits.
 struct Possible {
   double lower, upper;  ///< [SI]
-  std::string why;      ///< reason, as the end of a sentence
+  std::string why;      ///< reason, worded for the end of a message
 };
 
 /// Returns the range of speeds that the rings of a bearing can withstand [rad/s]. At these speeds

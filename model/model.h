@@ -54,10 +54,11 @@ struct PrintedSpeed {
 };
 
 /// Model of a bearing on a rig, or of bearing sets on a shaft, as entered by the user.
-/// rig::RigSubject and shaft::ShaftSubject prepare the model for fits and diagnosis.
+/// rig::RigSubject, shaft::ShaftSubject and spindle::SpindleSubject prepare the model for fits and
+/// diagnosis.
 struct Model {
   std::string name;
-  /// Temperature range of the rows in use [K]; NaN without a record.
+  /// Lowest and highest temperature in the record of a fit or diagnosis [K]; NaN without a record.
   double coldest = unset, hottest = unset;
   ModelBearing bearing;
   friction::Lubricant lubricant;

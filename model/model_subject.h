@@ -20,12 +20,12 @@ struct Expected {
     double value;      ///< in every row [SI]; NaN: the column is required
     std::string from;  ///< source of the value: "[rig]"
   };
-  /// Substitute for the missing column of `channel`, used if the column of `partner` is present.
-  /// Inner and outer ring temperature are partners.
+  /// Channel that the model replaces if a file has only the column of `partner`. Inner and outer
+  /// ring temperature are partners of each other.
   struct Partner {
     const record::Channel* channel;
     const record::Channel* partner;
-    std::string from;  ///< description of the substitute, for a note
+    std::string from;  ///< text of a note: the value that replaces `channel`
   };
   std::vector<Default> defaults{};
   std::vector<Partner> partners{};
@@ -39,8 +39,8 @@ struct Expected {
   std::vector<std::pair<const record::Channel*, std::string>> unused{};
 };
 
-/// Model prepared for fits and diagnosis (fit::Subject): the base class for models of a rig and of
-/// a shaft.
+/// Model prepared for fits and diagnosis (fit::Subject): the base class for models of a rig, a
+/// shaft or a spindle.
 ///
 /// User-defined effects that are only candidates (see waiting_effects()) keep their place in the
 /// model, so that the addresses of parameters agree with the file. These effects have no influence
@@ -60,9 +60,9 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_values(
       std::span<const fit::NamedValue> values) const override;
 
-  /// Returns the effects of the catalogue that change a measured channel and are not in the model,
-  /// the user-defined effects that are only candidates, and data of the model that may be wrong
-  /// (own_data()) and are not free.
+  /// Returns three groups: the effects of the catalogue that change a measured channel and are not
+  /// in the model, the user-defined effects that are only candidates, and the data of own_data()
+  /// that are not free.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   /// Returns the ids of three groups: all effects of the catalogue, the user-defined effects that
   /// are only candidates, and the data of own_data(). Effects that exist only for spindles are
@@ -76,8 +76,8 @@ class ModelSubject : public fit::Subject {
                                                          const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;
-  /// Explains why the effect cannot occur in the model: see fit::Subject. The text is also empty
-  /// for an effect that changes no measured channel.
+  /// Explains why the effect cannot occur in the model. The text is empty if the effect can occur,
+  /// and for an effect that changes no measured channel.
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   [[nodiscard]] std::string lacks_levels(const std::string& id,
@@ -99,8 +99,8 @@ class ModelSubject : public fit::Subject {
   /// Returns the places of the named parameters in active(). Throws the same exceptions as
   /// fit::find_parameters().
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
-  /// Returns the free parameters for a model that does not name its free parameters. Default:
-  /// default_free().
+  /// Returns the free parameters for a model that does not name its free parameters. The base class
+  /// returns default_free().
   [[nodiscard]] virtual std::vector<std::string> usual_free() const;
   /// Returns the channel with the tolerance from the model.
   [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;

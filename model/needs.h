@@ -9,7 +9,7 @@
 namespace raceway::model {
 
 /// Explains in one sentence why an effect cannot occur in a model, for any record: the model has
-/// another lubricant supply. The text is empty if the effect can occur.
+/// another lubricant supply than the effect needs. The text is empty if the effect can occur.
 [[nodiscard]] std::string ruled_out(const effects::Description& effect, const Model& model);
 
 /// Explains why the base law of a model excludes an effect: the law already contains the effect,

@@ -20,14 +20,16 @@ namespace raceway::model {
 ///   preload_N                   arrangement.preload_N: force on each set at standstill
 ///   inner_conformity            bearing.inner_conformity; outer_conformity likewise
 ///   conformity                  both conformities, if they are equal in the model
-///   contact_angle_deg           bearing.contact_angle_deg: free contact angle; same preload force
+///   contact_angle_deg           bearing.contact_angle_deg: free contact angle. The preload
+///                               force is independent of this value
 ///   convection_factor           ambient.convection_factor of a spindle
 ///   lubricant_conductance_W_K   bearing.lubricant_conductance_W_K
 ///   outer_conductance_W_m2K     seat.outer_conductance_W_m2K, if the model gives it
 ///   flange_conductance_W_K      housing.flange_conductance_W_K
 ///   inlet_temperature_C         coolant.inlet_temperature_C of the first circuit
 ///   flow_l_min                  coolant.flow_l_min of the first circuit
-///   NAME.inlet_temperature_C    coolant.circuit.1.inlet_temperature_C, if the circuit gives it
+///   NAME.inlet_temperature_C    coolant.circuit.1.inlet_temperature_C of the third circuit, if
+///                               the circuit gives it
 ///   NAME.flow_l_min             coolant.circuit.1.flow_l_min of the third circuit
 ///   motor.heat_W, drive.heat_W  motor.heat_W, drive.heat_W
 ///   NAME.heat_W                 heat.2.heat_W of the third [[heat]]
@@ -38,8 +40,8 @@ namespace raceway::model {
 /// Indices in addresses begin at 0, and coolant.circuit.0 is the second circuit.
 /// Parameters of the bearing exist only with a shaft whose sets have equal bearings. Each of these
 /// parameters has one value for all bearings of the arrangement. The preload is a parameter only if
-/// it is given as a force. `neutral` and the plausible range are NaN except for parameters of
-/// effects.
+/// it is given as a force. Only parameters of effects have a plausible range and a neutral value
+/// (record::Parameter::neutral). For all other parameters, the three numbers are NaN.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
 /// Returns the usual range of an effect's parameter for the size of the model's bearing, in the
@@ -49,8 +51,8 @@ namespace raceway::model {
                                                         const effects::Parameter& number,
                                                         const Model& model);
 
-/// Returns the bounds of an effect's parameter in the unit of the files. If the parameter must lie
-/// within the range of the record, the bounds come from the record.
+/// Returns the bounds of an effect's parameter in the unit of the files. For a temperature that
+/// must occur in the record, the bounds are the lowest and the highest recorded temperature.
 [[nodiscard]] std::pair<double, double> bounds_of(const effects::Parameter& number,
                                                   const Model& model);
 
@@ -101,10 +103,10 @@ void set(Model& model, const record::Parameter& parameter, double value);
 ///   table            scale
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
-/// Returns the parameters of a model that are free by default. For a spindle, the first default
-/// parameter of the law is free, such as f0. For an arrangement with a preload force, the preload
-/// is free, because assembly makes the preload uncertain. For all other models, the defaults of the
-/// law apply.
+/// Returns the parameters of a model that are free by default. For a spindle, only the first
+/// default parameter of the law is free, such as f0. For an arrangement with a preload force, only
+/// the preload is free, because assembly makes the preload uncertain. For all other models, the
+/// defaults of the law apply.
 [[nodiscard]] std::vector<std::string> default_free(const Model& model);
 
 }  // namespace raceway::model

@@ -67,14 +67,14 @@ struct FrictionPrediction {
 [[nodiscard]] std::vector<friction::contact::BallFriction> ball_contacts(
     const Model& model, const bearing::OperatingPoint& point, const FrictionPrediction& prediction);
 
-/// Explains why a prediction has not converged: "no_equilibrium" and similar, or the effect without
-/// a finite moment.
+/// Returns the status of a prediction that has not converged, such as "no_equilibrium". If only an
+/// effect has no finite moment, the text also names this effect.
 [[nodiscard]] std::string why_not_converged(const Model& model,
                                             const FrictionPrediction& prediction);
 
 /// Predicts the friction of one bearing [N m] in steps, each of which effects can change:
 ///
-///   condition    extra load, tilt, growth of rings, ball material: changes add up
+///   condition    extra load, tilt, growth of rings, ball material: sum of the changes by effects
 ///   -> ball equilibrium, if an effect needs it or `with_equilibrium` requests it
 ///   lubricant    viscosity of the film and factor on the viscous moment, in the order of the
 ///                catalogue
@@ -96,7 +96,7 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
                    std::span<FrictionPrediction> predictions, bool with_equilibrium = false,
                    std::span<const effects::Record> records = {});
 
-/// Returns the friction of one bearing at every row of a record, in its order.
+/// Returns the friction of one bearing at every row of a record, in the order of the rows.
 [[nodiscard]] std::vector<FrictionPrediction> predict_rows(const Model& model,
                                                            const record::Record& record);
 

@@ -31,8 +31,8 @@ struct Rings {
 [[nodiscard]] std::vector<Rings> rings_of(const Spindle& spindle, const bearing::Arrangement& sets);
 
 /// Returns the names of all bearings in the order of rings_of(). `front` and `rear` are the numbers
-/// of bearings in the sets, whose names are front_1, rear_1 and so on. Roller bearings have the
-/// names in `rollers`.
+/// of bearings in the sets. The bearings of the sets have the names front_1, rear_1 and so on.
+/// Roller bearings have the names in `rollers`.
 [[nodiscard]] std::vector<std::string> bearing_names(std::size_t front, std::size_t rear,
                                                      std::span<const RollerOnShaft> rollers);
 

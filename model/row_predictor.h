@@ -124,8 +124,8 @@ class RowPredictor {
 /// Solves the equilibria of several rows together, which is faster than one by one.
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
-/// Computes the contact friction of several rows, several at a time
-/// (friction/contact/many_contacts.h), after their equilibria.
+/// Computes the contact friction of several rows together (friction/contact/many_contacts.h). The
+/// equilibria of the rows must be solved before.
 void solve_contacts(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
 /// Calls predict() for all rows. Equilibria are solved several at a time, and rows are distributed

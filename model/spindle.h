@@ -242,7 +242,7 @@ struct Network {
 
 enum class Cells { coarse, medium, fine };
 
-/// All parts of a spindle except its bearings, their lubricant and their arrangement. Positions are
+/// All parts of a spindle except the ball bearings, their lubricant and arrangement. Positions are
 /// distances behind the nose face. Displacements are movements of the nose relative to the
 /// flange, positive towards the tool.
 struct Spindle {
@@ -274,7 +274,7 @@ struct Spindle {
   std::vector<ThermometerPlace> sensors = {};
   std::optional<Network> network = {};  ///< thermal network that replaces the geometry
   Cells cells = Cells::medium;
-  double step = unset;  ///< longest time step [s]; NaN: adaptive
+  double step = unset;  ///< longest adaptive time step [s]; NaN: 600 s
   /// Residuals of temperatures [K] and of displacements [m] up to these values are attributed to
   /// simplifications of the model.
   double model_floor_temperature = 0.5, model_floor_displacement = 1 * um;

@@ -24,7 +24,8 @@ struct Steps {
                  const record::Channel& read = record::friction_torque);
 };
 
-/// Stages of a prediction. A changed parameter affects its first stage and all later stages.
+/// Stages of a prediction. A changed parameter affects the first stage that uses the parameter, and
+/// all later stages.
 enum class Stage { entry, condition, lubricant, base, moment, reading };
 
 /// Returns the first stage that a parameter of the base law (`effect` < 0) or of an effect affects.

@@ -63,7 +63,7 @@ struct Channel {
 
 inline constexpr double endless = std::numeric_limits<double>::max();
 
-/// All quantities with a fixed name. The first is the speed, which most records sweep.
+/// All quantities with a fixed name. The first quantity is the speed, which most records sweep.
 inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .variable = "speed",
                                              .words = "speed",

@@ -63,7 +63,8 @@ struct Parameter {
   /// False if the data do not determine the parameter, or cannot separate it from another
   /// parameter.
   bool identifiable = true;
-  /// Known value before the fit; used only for models that approximate (Subject::approximates()).
+  /// Known value before the fit; used only for models that merely approximate the readings: see
+  /// Subject::approximates().
   Prior prior{};
   /// True if the fit does not change the parameter. The parameter stays at `start` if other
   /// parameters have the same influence, or at the value of `prior` if the record does not

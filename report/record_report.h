@@ -22,7 +22,8 @@ namespace raceway::report {
 /// Model whose predictions the page draws: a correction, or a spindle with all measured channels.
 struct DrawnModel {
   std::string name{};  ///< name on the page
-  /// Model that makes the predictions; a correction must be aligned with the record, see aligned().
+  /// Model that makes the predictions; a correction must be aligned with the record
+  /// (correction::aligned()).
   std::shared_ptr<const fit::Subject> subject{};
   std::vector<fit::HeldOutReading> held_out{};  ///< readings left out of a fit, and their errors
   std::vector<files::UsedDefault> defaults{};   ///< assumed values of the model

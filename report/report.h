@@ -71,9 +71,9 @@ struct LawOfReport {
   std::string statement;  ///< quality of the fit, or the reason why there is no fit
 };
 
-/// Returns the page of the shaft displacement over speed. `warnings` contains texts about bearings,
-/// speeds without equilibrium, and exceeded limits. `findings` contains the exceeded limits with
-/// their values.
+/// Returns the page of the shaft displacement over speed. `warnings` contains texts about unloaded
+/// bearings, speeds without a result, and exceeded limits. `findings` contains the exceeded limits
+/// with their values.
 [[nodiscard]] std::string displacement_report(
     const std::string& model_file, const model::Model& model,
     std::span<const shaft::ShaftPoint> points, std::span<const shaft::ShaftPrediction> predictions,

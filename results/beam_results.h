@@ -34,7 +34,8 @@ struct ModesAtSpeed {
   double damping_ratio = unset;             ///< damping ratio that the user gives [1]
   std::optional<spindle::Orbit> nose = {};  ///< orbit of the nose under the given unbalance
   [[nodiscard]] bool converged() const { return sets.converged() && modes.converged(); }
-  /// Returns "converged", or the reason why sets or modes failed.
+  /// Returns "converged", or the status of the bearing sets or modes without a solution, such as
+  /// "not_held".
   [[nodiscard]] std::string status() const;
 };
 
@@ -55,10 +56,11 @@ struct Crossing {
 [[nodiscard]] std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds);
 
 /// Returns a Campbell diagram as CSV with the columns speed_rpm, mode, frequency_Hz, whirl,
-/// damping_ratio (empty if not given), front_force_N, rear_force_N, stiffness of each side and each
-/// bearing, ring temperatures of warm sets, clearance and force of roller bearings, frequencies of
-/// each bearing, the orbit of the nose if an unbalance is given, and status. Each mode at each
-/// speed has a row. A speed without modes has one row with empty mode columns.
+/// damping_ratio (empty if not given), front_force_N, rear_force_N, stiffness of the front side, of
+/// the rear side and of each bearing, ring temperatures of warm bearing sets, clearance and force
+/// of roller bearings, frequencies of each bearing, the orbit of the nose if an unbalance is given,
+/// and status. Each mode at each speed has a row. A speed without modes has one row with empty mode
+/// columns.
 [[nodiscard]] std::string campbell_text(const bearing::Arrangement& arrangement,
                                         const std::vector<ModesAtSpeed>& speeds,
                                         std::string_view source, std::string_view model_text);
@@ -91,11 +93,12 @@ struct DeflectionResult {
   double displacement = unset;  ///< displacement at the force, in its direction [m]
   double nose = unset;          ///< displacement of the nose face in the direction of the force [m]
   double slope = unset;         ///< slope of the section at the nose [rad]
-  /// Displacement at the force if the bearings keep the stiffness that they have without it [m].
+  /// Displacement at the force, calculated with the bearing stiffness without the force [m].
   double tangent = unset;
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
   [[nodiscard]] std::string status() const;
-  /// Returns force divided by displacement at the force [N/m]; NaN for several loads.
+  /// Returns the force divided by the displacement at the force [N/m]; NaN if `axial_force` or
+  /// `moment` is not zero.
   [[nodiscard]] double stiffness() const {
     return axial_force == 0.0 && moment == 0.0 ? force / displacement : unset;
   }

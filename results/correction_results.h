@@ -16,7 +16,7 @@ namespace raceway::results {
 /// Errors of a correction model on a record that its fit did not use.
 struct Validation {
   std::string data{};             ///< file of the record
-  correction::Metrics metrics{};  ///< errors after subtraction of the mean of each run
+  correction::Metrics metrics{};  ///< errors after subtraction of the mean error of each run
   double uncorrected = unset;     ///< RMS of the readings minus their mean in each run [m]
   std::size_t rows_beyond_range = 0;
 };
@@ -38,7 +38,7 @@ struct Validation {
 /// comparison.
 [[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
-/// Predicted displacement of a correction for a record, with errors and uncertainty.
+/// Displacement that a correction predicts for a record, with errors and uncertainty.
 struct Corrected {
   const record::Channel* displacement = nullptr;
   correction::InitialState initial_state = correction::InitialState::rest;

@@ -8,7 +8,7 @@
 /// Writes the fit of the law of kinematic displacement as a JSON document (docs/files.md).
 namespace raceway::results {
 
-/// Displacement by the fitted law at one speed.
+/// Displacement that the fitted law gives at one speed.
 struct LawAtSpeed {
   double speed;  ///< [rad/s]
   shaft::KinematicDisplacement value;

@@ -8,17 +8,17 @@
 
 namespace raceway::results {
 
-/// Result of a correction of one displacement that learns from the readings.
+/// Result of a correction that learns from readings, for one displacement.
 struct Learnt {
   const record::Channel* displacement = nullptr;
   correction::Learning learning{};
 };
 
 /// Returns CSV with the columns time_s, predicted_um, std_um, residual_um and reading. The
-/// prediction in a row uses only earlier readings. residual_um is empty in rows without a reading.
-/// `reading` is "learnt" or "refused" in rows whose reading was offered for learning, otherwise
-/// empty. For several displacements, names end with the column of the displacement instead of the
-/// unit: predicted_COLUMN.
+/// prediction in a row uses only earlier readings. residual_um (reading minus prediction) is empty
+/// in rows without a reading. The column `reading` contains "learnt" or "refused" in rows whose
+/// reading was offered for learning, otherwise it is empty. For several displacements, names end
+/// with the column of the displacement instead of the unit: predicted_COLUMN.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
 /// Returns the document of `raceway correct --learn --json`.

@@ -9,8 +9,8 @@
 #include "files/model_data.h"
 #include "fit/sobol_indices.h"
 
-/// Sensitivity of predictions to the numbers (data) of a model. Every value has the unit in its
-/// name.
+/// Sensitivity of predictions to the numbers (data) of a model. A member `name` ends with the unit
+/// of the datum or prediction, unless it is dimensionless.
 namespace raceway::results {
 
 /// Datum that was varied: a number of the model or of the operating point.
@@ -18,9 +18,10 @@ struct VariedDatum {
   std::string name;
   double value = unset;
   double spread = unset;  ///< possible error in both directions, in the unit of `name`
-  /// Origin of `spread`: "given", "standard error", "1 %", "1 K" or "1".
+  /// Origin of `spread`: "given", "standard error" (√3 standard errors), "1 %", "1 K" or "1".
   std::string spread_from = {};
-  std::string origin = {};  ///< origin of `value`: "file", "default", "catalogue" or "asked"
+  /// Origin of `value`: "file", "default", "catalogue", or "asked" for the operating point.
+  std::string origin = {};
   bool whole = false;
   bool has_elasticity = true;  ///< false for a temperature in C, whose zero is arbitrary
 };
@@ -55,8 +56,8 @@ struct PredictionSensitivity {
 
 struct Sensitivity {
   std::string source, model;
-  std::vector<std::string> inputs = {};          ///< names of the inputs that define a state
-  std::vector<std::vector<double>> states = {};  ///< values of `inputs` at each state
+  std::vector<std::string> inputs = {};          ///< names of the inputs, such as the speed
+  std::vector<std::vector<double>> states = {};  ///< operating points: values of `inputs`
   std::vector<VariedDatum> data = {};            ///< data that affect a prediction
   std::vector<PredictionSensitivity> predictions = {};
   std::vector<std::string> does_not_enter = {};

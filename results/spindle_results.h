@@ -16,7 +16,7 @@
 namespace raceway::results {
 
 /// Difference between two steady states: result with the chosen mesh minus result with another
-/// mesh.
+/// mesh. The members `displacement`, `inner_ring_rise` and `front_force` are these differences.
 struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
   double speed = unset;  ///< speed of both steady states [rad/s]
@@ -29,7 +29,7 @@ struct MeshEstimate {
 /// Assumed value of a model (a default, or a value that the file marks as assumed), and the
 /// influence of its possible error on the nose displacement.
 struct Assumption {
-  std::string name;       ///< "bearing.lubricant_conductance_W_K"
+  std::string name;       ///< such as "bearing.lubricant_conductance_W_K"
   double value = unset;   ///< in the unit of the name
   double spread = unset;  ///< possible error in both directions, in the unit of the name
   /// Nose displacement at value - spread and at value + spread [m]; NaN if there is no result.

@@ -11,9 +11,10 @@
 
 namespace raceway::results {
 
-/// Law for the gain K(P) and the time constant T(P) over the power loss P in a correction.
+/// Law for the gain K(P) and the time constant T(P) of a correction. P is the power loss, or the
+/// load for load steps.
 enum class StepLaw {
-  curve,  ///< table through all points, with K(0) = 0
+  curve,  ///< table of K and T of all steps, with K(0) = 0
   power,  ///< K = a P^b, T = c P^d
   line    ///< straight lines K(P) and T(P), as published [Brecher2021, eq. 8 and 9]
 };
@@ -47,12 +48,12 @@ struct StepCorrectionParts {
 /// falls linearly to 0 at standstill. The immediate displacement is multiplied by the weight. The
 /// thermal displacement is a delay element whose input is load times weight.
 ///
-/// Throws std::invalid_argument if `parts.power` is empty, if no step response has the needed lags,
-/// or if the step responses do not determine the law.
+/// Throws std::invalid_argument if `parts.power` is empty, if no step response converged (with
+/// `two_lags`: if none has two time constants), or if the step responses do not determine the law.
 [[nodiscard]] correction::Model step_model(const spindle::StepResponses& responses,
                                            const StepCorrectionParts& parts);
 
-/// Model file for `raceway correct`, and its table files with path and text.
+/// Text of a model file for `raceway correct`, and path and text of each table of the model.
 struct StepCorrection {
   std::string model = {};
   std::vector<std::pair<std::string, std::string>> tables = {};

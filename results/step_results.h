@@ -15,8 +15,8 @@ namespace raceway::results {
 /// Returns CSV with the columns speed_rpm, power_start_W, power_end_W, kinematic_um, K_um, T_min,
 /// fit_rms_um, K1_um and T1_min of the faster lag, K2_um and T2_min of the slower lag,
 /// fit_rms_two_um, end_um, front_force_N, highest_front_force_N and status. For load steps, the
-/// text also has columns of the load. For imported step responses, the text has the column
-/// load_case. `model_text` is the text of the model file, or empty.
+/// text also has the columns axial_load_N and radial_load_N. For imported step responses, the text
+/// has the column load_case. `model_text` is the text of the model file, or empty.
 [[nodiscard]] std::string step_responses_text(const spindle::StepResponses& responses,
                                               std::string_view source, std::string_view model_text);
 

@@ -47,8 +47,8 @@ struct CoastDownTorque {
 /// not overlap, so the errors of the rows are independent. A parabola in time is fitted to each
 /// window. The slope and the value of the parabola at the mean time of the window give torque and
 /// speed of one row. The slope of a parabola is not affected by the curvature of ω(t), even for
-/// unequally spaced samples. For equal spacing, its noise equals the noise of the slope of a
-/// straight line. A window covers 1/`windows` of the run, because the noise falls with the 1.5th
+/// unequally spaced samples. For equal spacing, the slope of a parabola is as noisy as the slope of
+/// a straight line. A window covers 1/`windows` of the run, because the noise falls with the 1.5th
 /// power of the window length. A window is shorter if the speed would fall by more than
 /// `largest_fall`. The remaining error comes from the third time derivative of the speed. For M ~
 /// ω^p and a relative fall s of the speed, this error is the share p (2p - 1) s²/40 of the torque.
@@ -56,13 +56,13 @@ struct CoastDownTorque {
 ///
 /// The standard deviation of a row follows from the scatter of the residuals of the whole run
 /// (robust estimate, Huber's proposal 2), propagated to the slope. If neighbouring residuals are
-/// correlated (filtered signals), the standard deviation is increased by the factor of a
-/// first-order autoregression. Samples that are more than 8 robust standard deviations away from a
-/// robust local parabola are excluded. No window extends over a gap. Dense records are first
+/// correlated (filtered signals), the standard deviation is larger: it is then computed for
+/// first-order autoregressive noise. Samples that are more than 8 robust standard deviations away
+/// from a robust local parabola are excluded. No window extends over a gap. Dense records are first
 /// averaged in blocks, so that a window contains at most 32 blocks.
 ///
 /// The line number of a row is the line in the middle of its window. The notes state how many
-/// samples were excluded or averaged, and give the line number of the first one.
+/// samples were excluded or averaged, and give the line number of the first such sample.
 /// Domain:   constant inertia, no drive. The function excludes samples before the release
 /// (release.h), samples at standstill or below Rig::minimum_speed, windows in which the shaft
 /// speeds up, and runs with fewer samples than the smallest window. If the shaft is driven up again

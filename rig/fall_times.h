@@ -17,15 +17,17 @@ struct Fall {
 /// Returns the speed at which a torque M ~ ω^p equals the mean torque over the time of a fall
 /// [rad/s].
 ///
-/// The mean over time, J (ω1 - ω2)/t, is the harmonic mean over speed, because dt = J dω/M(ω):
+/// A shaft with the inertia J slows down from ω1 to ω2 in the time t. The mean torque over time,
+/// J (ω1 - ω2)/t, is the harmonic mean of M(ω) over speed, because dt = J dω/M(ω):
 ///
 ///   1/M(ω_e) = ∫ dω/M / (ω1 - ω2)   gives   ω_e^-p = (ω1^(1-p) - ω2^(1-p)) / ((1 - p)(ω1 - ω2))
 ///
 /// ω_e is a Stolarsky mean: the logarithmic mean for p = 1, and sqrt(ω1 ω2) for p = 2.
 /// Source:   derived.
 /// Domain:   ω1 > ω2 > 0, any p. For p = 0 and p = 1, the result is the limit of the formula.
-/// Accuracy: rounding. With the mean speed ω instead of ω_e, the relative error of the torque would
-///           be p (p + 1) s²/24 with s = (ω1 - ω2)/ω, for example 0.25 % for p = 2 and s = 0.1.
+/// Accuracy: rounding. With the mean ω of ω1 and ω2 instead of ω_e, the relative error of the
+///           torque would be p (p + 1) s²/24 with s = (ω1 - ω2)/ω, for example 0.25 % for p = 2
+///           and s = 0.1.
 [[nodiscard]] double speed_of_mean_torque(double from, double to, double exponent);
 
 /// Computes the friction torque of the rig from the times between given speeds [N m], one row for
@@ -35,11 +37,11 @@ struct Fall {
 ///
 /// The exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the
 /// row and its neighbours. A neighbour is the nearest fall at lower or at higher speed in the same
-/// run, with the same other inputs. The middle speed of a neighbour lies outside the fall of the
-/// row. The fastest or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4. For
-/// two falls, p' is 0; for a single fall, p = 2/3, as for a viscous moment. With p and p' of a
-/// parabola, ω_e is correct to second order in s for every smooth law. s = (ω1 - ω2)/ω is the
-/// relative width of the fall, with the mean ω of ω1 and ω2.
+/// run, with the same other inputs. The middle speed of a neighbour lies outside the speed range of
+/// the row. The fastest or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4.
+/// With only one neighbour, p' is 0. Without neighbours, p' is 0 and p is 2/3, as for a viscous
+/// moment. With p and p' of a parabola, ω_e is correct to second order in s for every smooth law.
+/// s = (ω1 - ω2)/ω is the relative width of the fall, with the mean ω of ω1 and ω2.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
 /// ω_e replaces the speed of the record. If every fall has a standard deviation of the time, the

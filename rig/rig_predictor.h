@@ -12,7 +12,7 @@
 namespace raceway::rig {
 
 /// Equilibria of the bearing at the rows of a record, for the parameter values of the model file.
-/// The equilibria are solved at the first request and then shared.
+/// The equilibria are computed at the first request and then shared by all predictors.
 class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);

@@ -59,7 +59,7 @@ struct SensorCalibration {
   double off_line = unset;
   /// Largest distance of the mean signal at one torque from the curve [V].
   double off_curve = unset;
-  /// p-value of the terms above the fitted degree, up to the third [1]; NaN if no such term can be
+  /// p-value of the terms above the fitted degree, up to degree 3 [1]; NaN if no such term can be
   /// tested.
   double higher_terms_p_value = unset;
   LackOfFit lack_of_fit{};
@@ -78,7 +78,7 @@ struct SensorCalibration {
 
 /// Fits the signal as a polynomial of the torque by least squares, with QR decomposition for the
 /// scaled torque. If no degree is given, the lowest degree is used for which no higher term, up to
-/// the third, is significant. If the scatter changes significantly along the range, the covariance
+/// degree 3, is significant. If the scatter changes significantly along the range, the covariance
 /// comes from HC3 of [MacKinnon1985], which is valid for such a change.
 ///
 /// Throws std::invalid_argument for an invalid degree, for fewer than degree + 1 torques or degree

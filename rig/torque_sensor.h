@@ -49,7 +49,7 @@ struct TorqueSensor {
 
 /// A reading converted to a torque.
 struct SensedTorque {
-  double torque;  ///< M with V(M) = V or, with a zero, V(M) - V(0) = V - zero [N m]
+  double torque;  ///< M with V(M) = signal; with `zero`: V(M) - V(0) = signal - zero [N m]
   double std;     ///< standard deviation, sqrt(scatter²/V'(M)² + common²) [N m]
   /// Standard deviation of the error from the calibration and `TorqueSensor::zero` [N m]: sqrt(gᵀ C
   /// g + s²) / |V'|. C is the covariance of the coefficients b_k. Without `zero`, g = ∂V/∂b at M
@@ -58,8 +58,8 @@ struct SensedTorque {
   double common;
 };
 
-/// Returns the torque of a signal [V]. The standard deviations of the torque are linearised.
-/// `signal_std` [V] replaces the scatter of one reading; NaN keeps the scatter.
+/// Returns the torque of a signal [V]. The standard deviations of the torque come from linear error
+/// propagation. `signal_std` [V] replaces the scatter of one reading; NaN keeps the scatter.
 [[nodiscard]] SensedTorque torque_of(const TorqueSensor& sensor, double signal,
                                      double signal_std = unset);
 

@@ -28,8 +28,8 @@ struct FoundEffects {
 [[nodiscard]] FoundEffects find_effects(const std::string& asked);
 
 /// Finds the bearings whose name contains `name`. If no name matches, finds the bearings of the
-/// same size and sends a note. If `bore` or `outer_diameter` [m] is NaN, every value is accepted.
-/// Throws text::InputError if no bearing matches.
+/// size that the designation `name` gives, and sends a note. If `bore` or `outer_diameter` [m] is
+/// NaN, every value is accepted. Throws text::InputError if no bearing matches.
 [[nodiscard]] std::vector<files::CatalogueBearing> find_bearings(Messages& messages,
                                                                  const std::string& name,
                                                                  double bore,

@@ -18,8 +18,8 @@ struct CatalogueConformity {
   std::vector<files::NamedFile> files{};  ///< files that the model names
 
   [[nodiscard]] bool found() const;
-  /// Returns a sentence with the range in which no conformity gives the printed rigidities; empty
-  /// if found().
+  /// Returns the message that no conformity in the searched range gives the printed rigidities;
+  /// empty if found().
   [[nodiscard]] std::string problem() const;
   /// Returns a warning if the rigidities with the fitted conformity differ from the printed
   /// rigidities by more than 5 % (RMS over the preload classes).

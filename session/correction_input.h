@@ -22,7 +22,7 @@ namespace raceway::session {
 
 /// Joins several corrections of one displacement to one file with the name `path`. The joined file
 /// predicts the sum of the predictions of its parts: see files::join_corrections(). Notes name the
-/// tables that the joined file does not contain.
+/// tables of the parts that the joined file does not contain.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
@@ -39,7 +39,8 @@ struct SeriesQuestion {
   files::CorrectionFile file{};
   record::Record data{};
 };
-/// Opens both files. Throws the same exceptions as open_corrections() and open_series().
+/// Opens the file of corrections and the record. Throws the same exceptions as open_corrections()
+/// and open_series().
 [[nodiscard]] SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
                                         const Reading& reading,
                                         Defaults defaults = Defaults::count);

@@ -47,12 +47,13 @@ struct LearningRun {
   [[nodiscard]] std::string json() const;
   /// Returns the rows as CSV.
   [[nodiscard]] std::string csv() const;
-  /// Returns the model file with the zero and the gains that were learned by the end of the record.
+  /// Returns the model file with the zero of each displacement and the gains, as learned by the end
+  /// of the record.
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs the corrections and adapts their zeros and gains to the readings. Throws text::InputError
-/// if the record is not suitable.
+/// Runs the corrections, and adapts the zero of each displacement and the gains to the readings.
+/// Throws text::InputError if the record is not suitable.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

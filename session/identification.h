@@ -19,7 +19,8 @@ namespace raceway::session {
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
   std::string order = "1:3";  ///< number of lags of each channel: "2", or a range, "1:3"
-  /// columns that may be inputs of the correction; "all" means every column that varies
+  /// columns that may become inputs of the correction; "all" means every column that varies. An
+  /// empty list means "all" if `lags` is not empty, otherwise only the inputs of the model
   std::vector<std::string> inputs{};
   /// time constants of the lags [s], the same for all channels. With "auto", the program chooses
   /// the time constants. If the list is empty, the time constants are fitted.

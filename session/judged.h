@@ -39,7 +39,8 @@ namespace raceway::session {
                                     std::span<const shaft::ShaftPrediction> predictions);
 
 /// Compares the rows of the table of a bearing or of a shaft with the limits. The constructor finds
-/// the columns by their names. For roller bearings, only the speed is compared.
+/// the columns by their names. For roller bearings, only speed and lubricant temperature are
+/// compared.
 class JudgedColumns {
  public:
   /// The model must live longer than this object.
@@ -94,8 +95,9 @@ class JudgedColumns {
 void require_possible_speed(const model::Model& model, double speed, const std::string& name);
 void require_possible_temperature(const model::Model& model, double temperature,
                                   const std::string& name);
-/// Checks all rows of a record and reports errors with file and line. A coolant inlet temperature
-/// at which water freezes or boils is also an error.
+/// Checks the speeds and temperatures in all rows of a record and reports errors with file and
+/// line. For a water circuit, a recorded inlet temperature at which water freezes or boils is also
+/// an error.
 void require_possible(const model::Model& model, const record::Record& record);
 
 }  // namespace raceway::session

@@ -32,8 +32,8 @@ void say_of(Messages& messages, const std::string& source, std::vector<record::N
 /// Throws text::InputError for a model without bearing sets on a shaft ([arrangement]).
 void require_shaft(const files::ModelFile& file);
 
-/// Returns the description of a model for a report page. The file gives the texts, and the model
-/// `used` gives the values.
+/// Returns the description of a model for a report page. The name and the default values come from
+/// `file`. `used` is the model as used in the calculation.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
 /// Warns if the file gives keys of the bearing or the solver that do not change the friction

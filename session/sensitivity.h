@@ -58,8 +58,8 @@ struct SensitivityQuestion {
 /// The spreads come from `question`. If a spread is not given, the spread of a fitted parameter is
 /// sqrt(3) times its standard error. This is half the width of a uniform distribution whose
 /// standard deviation is the standard error. For all other data, the spread is 1 % of the value, 1
-/// K for a temperature and 1 for an integer. Global samples are uniform between value - spread and
-/// value + spread and independent of each other.
+/// K for a temperature and 1 for an integer. The samples for the Sobol' indices are uniform between
+/// value - spread and value + spread and independent of each other.
 ///
 /// Points are solved on all cores. The results do not depend on the number of cores or on the order
 /// of the points. Throws text::InputError for an unknown prediction or datum or a value outside its

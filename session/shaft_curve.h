@@ -45,8 +45,8 @@ class ShaftCurve {
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
   /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
-  /// Returns one warning for each exceeded limit, with the worst speed. Further warnings name
-  /// unloaded bearings and speeds without a result.
+  /// Returns a warning or a note for each exceeded limit, with the worst speed. Further warnings
+  /// name unloaded bearings and speeds without a result.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;

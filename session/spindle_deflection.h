@@ -21,14 +21,14 @@ struct DeflectionQuestion {
   bool axial = false;  ///< true: the force is axial; false: it is radial
   /// axial force in addition to a radial force, positive towards the tool [N]
   double axial_force = 0.0;
-  /// moment at the position of the force [N m]; a positive moment turns the shaft in the same
-  /// direction as a positive radial force at a position nearer to the tool
+  /// moment at the position of the force [N m]; positive if it turns the shaft like a positive
+  /// radial force between this position and the tool
   double moment = 0.0;
   double at = 0.0;         ///< distance of the force behind the nose face [m]
   double speed = 0.0;      ///< shaft speed [rad/s]
   bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
   bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
-  Wording wording = Wording::arguments;          ///< selects the argument names in error messages
+  Wording wording = Wording::arguments;          ///< names in error messages: flags or arguments
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 

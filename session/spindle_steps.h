@@ -30,7 +30,7 @@ struct StepQuestion {
   std::vector<double> load_speeds{};  ///< in rising order [rad/s]
   double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
-  Wording wording = Wording::arguments;          ///< selects the argument names in messages
+  Wording wording = Wording::arguments;          ///< names in messages: flags or arguments
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
@@ -76,8 +76,9 @@ struct SpindleSteps {
 
 /// Options for a correction made from step responses.
 struct StepCorrectionQuestion {
-  std::string law = "curve";                     ///< form of K(P) and T(P): "curve", "power" or
-                                                 ///< "line"
+  /// form of the laws for gain K(P) and time constant T(P) over the power P: "curve", "power" or
+  /// "line"
+  std::string law = "curve";
   std::string lags = "auto";                     ///< number of lags: "one", "two" or "auto"
   Wording wording = Wording::arguments;          ///< how notes name these options
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled

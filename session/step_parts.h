@@ -22,8 +22,8 @@ namespace raceway::session {
 /// Returns the displacement [m] that the bearing sets cause at a speed [rad/s] without heating.
 [[nodiscard]] double kinematic_at(const model::Model& model, double speed);
 
-/// Parts of a correction in addition to the laws K(P) and T(P): power over speed, and kinematic
-/// displacement.
+/// Parts of a correction in addition to the laws for gain and time constant over power: power over
+/// speed, and kinematic displacement.
 struct StepParts {
   std::vector<results::PowerAtSpeed> power = {};
   std::optional<shaft::KinematicLaw> kinematic = {};

@@ -46,7 +46,8 @@ struct TableAnswer {
   /// modelica.
   [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
-  /// Returns notes for the user.
+  /// Returns the findings that are notes, and the text of balls_statement() at the highest speed of
+  /// the first loads.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
   /// Returns warnings about exceeded limits.
   [[nodiscard]] std::vector<record::Note> warnings() const {
@@ -61,18 +62,19 @@ struct TableAnswer {
                                      const std::function<void(double)>& progress = {},
                                      const std::atomic<bool>* cancelled = nullptr);
 
-/// Lines of text on the points without equilibrium, with the reason and the first such point. If
-/// the friction law does not need the ball loads, these points have a valid torque.
+/// Lines of text on the points that have not converged. Each line gives a reason, the number of
+/// points and the first such point. If the friction law does not need the ball loads, points
+/// without equilibrium have a valid torque.
 struct TableFailures {
   std::vector<std::string> lines{};
-  bool without_torque = false;  ///< true if some points have no value
+  bool without_torque = false;  ///< true if some points have no friction torque
 };
 [[nodiscard]] TableFailures failures(const model::Model& model,
                                      const friction::StribeckTable& table);
 
 /// Returns solved points for the ball drawings of a report: some speeds at some pairs of axial and
 /// radial load. The result is empty for a shaft, because the loads of the grid are external loads,
-/// not the loads of its bearings.
+/// not bearing loads.
 [[nodiscard]] report::BearingStates states_to_draw(const model::Model& model,
                                                    const friction::TableAxes& grid);
 

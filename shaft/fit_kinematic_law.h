@@ -25,9 +25,9 @@ struct DisplacementPoint {
 };
 
 /// Bounds of the parameters B and C of the law, in the published units. With B above 1 the
-/// displacement at standstill is not zero. With B below 0 the exponent of the speed falls with the
-/// speed instead of rising. For C n_max below 0.01 (n_max: highest speed) the law is a power of the
-/// speed; above 100 it is a straight line. The default bounds of C are therefore 0.01/n_max and
+/// law tends to infinity towards standstill. With B below 0 the exponent of the speed falls with
+/// the speed instead of rising. For C n_max below 0.01 (n_max: highest speed) the law is a power of
+/// the speed; above 100 it is a straight line. The default bounds of C are therefore 0.01/n_max and
 /// 100/n_max. A has no bounds; A is negative for a mirrored layout.
 struct KinematicLawBounds {
   double lower_B = 0.0, upper_B = 1.0;

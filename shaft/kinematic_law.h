@@ -37,7 +37,7 @@ struct KinematicDisplacement {
   double displacement;  ///< position of the shaft relative to standstill, positive towards the tool
                         ///< [m]
   double slope;         ///< du/dω, derivative with respect to the angular speed [m s/rad]
-  bool inside;          ///< false: the speed is outside the range of the law, see evaluate()
+  bool inside;          ///< false: the speed is outside the range of the law or table
 };
 
 /// Parameters of the kinematic law, and the range of speeds to which it was fitted.

@@ -25,10 +25,11 @@ struct UnloadedRange {
 };
 
 /// Returns the ranges of speed in which bearings of a shaft lose their inner contacts, then the
-/// ranges in which bearings fall below their minimum load. Both kinds are sorted by the first
-/// bearing, then by speed. The function finds start and end between two converged points by
-/// bisection, to half an rpm. The speed must rise from point to point. A range that lies entirely
-/// between two points is not found. `predictions` are the results at `points`, in order.
+/// ranges in which bearings fall below their minimum load. Within each of these two groups, the
+/// ranges are sorted by their first bearing, then by speed. The function finds start and end
+/// between two converged points by bisection, to half an rpm. The speed must rise from point to
+/// point. A range that lies entirely between two points is not found. `predictions` are the results
+/// at `points`, in order.
 [[nodiscard]] std::vector<UnloadedRange> unloaded_ranges(
     const Model& model, std::span<const ShaftPoint> points,
     std::span<const ShaftPrediction> predictions);

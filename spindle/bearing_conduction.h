@@ -15,8 +15,9 @@ namespace raceway::spindle {
 ///   G = 1650 Z D²      Z balls of diameter D [m]
 ///
 /// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
-///           program Thermca, evaluated at n d_m = 500 000 mm/min. About a tenth of the result of
-///           the source formula is the conductance of the contacts.
+///           program Thermca, evaluated at n d_m = 500 000 mm/min. ω is the speed [rad/s], n the
+///           speed in rpm, and d_m the pitch diameter. About a tenth of the result of the source
+///           formula is the conductance of the contacts.
 /// Domain:   balls of 5 to 22 mm; within 12 % of the source formula if n d_m is from 200 000 to
 ///           2 000 000 mm/min.
 /// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in the same program
@@ -44,8 +45,9 @@ namespace raceway::spindle {
 /// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
 ///           neglected.
 /// Domain:   loads >= 0; the conductance is zero if a ball touches only one race.
-/// Accuracy: for a dry bearing at rest. In operation, the lubricant and the rolling balls conduct
-///           several times as much: add model::Spindle::lubricant_conductance.
+/// Accuracy: the formula applies to a dry bearing at rest. In operation, the lubricant and the
+///           rolling balls conduct several times as much: add
+///           model::Spindle::lubricant_conductance.
 class BallConduction {
  public:
   /// The conductivities of balls and rings are in W/(m K).

@@ -14,7 +14,8 @@ namespace raceway::spindle {
 ///
 ///   felt s    for each bearing, the mean temperatures of inner and outer ring and of the cells
 ///             at its two raceways [K]; for each roller bearing also the temperatures of shaft
-///             and housing at its seats [K]; last the elongation between the sets [um]
+///             and housing at its seats [K]; last the elongation of the shaft minus the elongation
+///             of the housing between the sets [um]
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
 /// Friction heat q arises at the raceways. Heat Q flows from the inner to the outer raceway through
@@ -44,8 +45,8 @@ class BearingCoupling {
   /// felt_offset() returns s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
   [[nodiscard]] const Vector& felt_offset() const { return offset_; }
-  /// For each element of y, the index in s of the mean cell temperature at the same raceway. The
-  /// heat is divided among these cells by the same weights as in their mean temperature.
+  /// For each element of y, the index in s of the mean temperature of the cells at this raceway.
+  /// The heat is divided among the cells of the raceway with the weights of this mean.
   [[nodiscard]] const std::vector<Eigen::Index>& given_rows() const { return given_rows_; }
   /// Adds the raceway heat y = `given` to the heat flow into each cell [W].
   void add_given(const Vector& given, Vector& inflow) const;

@@ -16,8 +16,8 @@ namespace raceway::spindle {
 ///
 ///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)
 ///
-/// with a vector u needs only forward substitutions. They are short if only a few elements of u are
-/// not zero.
+/// with a vector u needs only forward substitutions. The forward substitution of u is short if only
+/// a few elements of u are not zero.
 /// Accuracy: rounding errors only; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:

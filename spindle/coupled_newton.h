@@ -18,7 +18,7 @@ enum class NewtonStatus { converged, no_balance, diverged };
 ///
 /// This elimination of the cells is Woodbury's identity. Derivatives with respect to cell
 /// temperatures are not needed. F A⁻¹ r and M need only forward substitutions, with Φ = L⁻¹ Fᵀ and
-/// Π = L⁻¹ P, whose columns are columns of Φ:
+/// with Π = L⁻¹ P, which is a selection of the columns of Φ:
 ///
 ///   F A⁻¹ r = Φᵀ D⁻¹ L⁻¹ r,   M = Φᵀ D⁻¹ Π
 ///

@@ -22,8 +22,9 @@ struct DrawnRun {
 [[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
                                  const State* start, const Run& run, std::size_t states = 12);
 
-/// If a simulation stopped between two rows of the profile, adds the time of the stop as the last
-/// moment of the run and as a row of the profile. Otherwise the function changes nothing.
+/// If a simulation stopped between two rows of the profile, adds the results at the stop as the
+/// last moment of the run, and a row at the time of the stop to the profile. Otherwise the function
+/// changes nothing.
 void add_end(Simulator& simulator, std::vector<ProfileRow>& profile, const State* start, Run& run);
 
 }  // namespace raceway::spindle

@@ -6,7 +6,7 @@
 
 namespace raceway::spindle {
 
-/// Length of shaft or housing with one cross-section and one mean temperature.
+/// Axial section of shaft or housing with one cross-section and one mean temperature.
 struct HeatedLength {
   double length = unset;             ///< [m]
   double area = unset;               ///< [m²]
@@ -18,9 +18,9 @@ struct HeatedLength {
 /// Returns the free thermal elongation, the sum of α ΔT times length over all `lengths` [m].
 [[nodiscard]] double free_elongation(std::span<const HeatedLength> lengths);
 
-/// Computes the displacements `nodes` of the ends of all lengths in a bar that is fixed at its left
-/// end [m]. Substitute forces E A α ΔT pull at both ends of each length. `nodes` has one element
-/// more than `lengths`. Its last element is the free elongation, whatever the stiffness of the bar.
+/// Computes the displacements `nodes` of the ends of all sections in a bar that is fixed at its
+/// left end [m]. Substitute forces E A α ΔT pull at both ends of each section. `nodes` has one
+/// element more than `lengths`. Its last element is the free elongation, whatever the stiffness.
 /// Source: [Brecher2021, 3.1].
 void displace_by_substitute_forces(std::span<const HeatedLength> lengths, std::span<double> nodes);
 

@@ -12,8 +12,8 @@ namespace raceway::spindle {
 ///
 /// T0 is the mounting temperature. The mean of α ΔT over a cross-section is weighted by E A,
 /// because plane sections remain plane. The result has `nodes` elements.
-/// Domain: both positions are grid lines of the mesh. Weights outside this length of the body are
-///         zero. If `to` < `from`, the weights are negative.
+/// Domain: both positions are grid lines of the mesh. Cells outside the body or outside the two
+///         positions have the weight 0. If `to` < `from`, the other weights are negative.
 [[nodiscard]] Vector expansion_row(const Mesh& mesh, Body body, double from, double to,
                                    Eigen::Index nodes);
 

@@ -52,7 +52,9 @@ inline constexpr double gravity = 9.81;
 /// Stefan-Boltzmann constant, CODATA 2018 [W/(m² K⁴)].
 inline constexpr double stefan_boltzmann = 5.670374419e-8;
 
-/// Returns the Rayleigh number of a gas, Ra = g ΔT l³ Pr/(T_film ν²) [1].
+/// Returns the Rayleigh number of a gas, Ra = g ΔT l³ Pr/(T_film ν²) [1]. ΔT is the temperature
+/// difference between surface and gas, l the characteristic length, T_film the mean of surface and
+/// gas temperature [K], and ν the kinematic viscosity.
 [[nodiscard]] inline double rayleigh(double length, double difference, double film_temperature,
                                      const FluidProperties& gas) {
   const double nu = gas.kinematic_viscosity;
@@ -79,7 +81,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///
 /// The characteristic length of Nu and Ra is the diameter D.
 /// Source:   Churchill and Chu (Int J Heat Mass Transfer 18, 1975, p. 1049).
-/// Domain:   Ra from 1e-5 to 1e12. Without a temperature difference, the result is 0.36 λ/D.
+/// Domain:   Ra from 1e-5 to 1e12. Without a temperature difference, the result is 0.36 λ/D with
+///           the conductivity λ of the gas.
 /// Accuracy: about 10 %. The influence of neighbouring machine parts is larger.
 [[nodiscard]] inline double free_cylinder(double diameter, double difference,
                                           double film_temperature, const FluidProperties& gas) {
@@ -106,7 +109,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///                     kendoush          Nu = 0.6366 (Re Pr)^(1/2)
 ///                     anderson_saunders Nu = 0.1 Re^(2/3)
 ///
-/// The characteristic length of Nu is the diameter D. ν is the kinematic viscosity.
+/// The characteristic length of Nu is the diameter D. ω is the speed, ν the kinematic viscosity.
 /// Source:   Becker 1963; Kendoush 1996; Anderson and Saunders 1953.
 /// Domain:   speed >= 0. The result is zero at standstill; turning_shaft() includes free
 ///           convection.
@@ -139,7 +142,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 }
 
 /// Returns the Taylor number of the gap δ between a rotating and a fixed cylinder, Ta = ω² r_m
-/// δ³/ν² [1]. r_m is the arithmetic mean of both radii.
+/// δ³/ν² [1]. ω is the speed, r_m the arithmetic mean of both radii, and ν the kinematic viscosity.
 [[nodiscard]] inline double taylor_number(double inner_radius, double outer_radius, double speed,
                                           const FluidProperties& gas) {
   const double gap = outer_radius - inner_radius;
@@ -153,6 +156,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///
 ///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 if Ta > 1700,   0.409 Ta^0.241 if Ta > 1e4
 ///
+/// λ is the conductivity of the gas, and Ta is taylor_number().
 /// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with the length 2 δ
 ///           and the temperatures of both surfaces. A program that computes h from λ/δ instead of
 ///           λ/(2 δ) gets twice this conductance.
@@ -175,7 +179,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///   Re >= 4000   (ξ/8) Re Pr/(1 + 12.7 (ξ/8)^(1/2) (Pr^(2/3) - 1)) (1 + (d/l)^(2/3)),
 ///                ξ = (1.8 lg Re - 1.5)^-2;      linear in Re between
 ///
-/// Source:   VDI-Wärmeatlas 2002, G1 (walls of one temperature; Gnielinski). The formula was not
+/// Source:   VDI-Wärmeatlas 2002, G1 (uniform wall temperature; Gnielinski). The formula was not
 ///           checked against the printed edition. Gnielinski's older formula, which contains Re -
 ///           1000, gives 23 % less at Re = 4000, 8 % less at 1e4 and nearly the same above 1e5.
 /// Domain:   Re up to 1e6, straight and smooth channel. A helical channel has a larger Nusselt
@@ -257,16 +261,17 @@ struct Channel {
 }
 
 /// Returns the heat transfer coefficient at the channel walls for a mean coolant temperature in K
-/// [W/(m² K)]. If the coolant is off, the result is the coefficient `stagnant` of standing fluid. A
-/// flowing coolant never has a smaller coefficient than standing fluid.
+/// [W/(m² K)]. If the coolant is off or has no flow, the result is the coefficient `stagnant` of
+/// standing fluid. A flowing coolant never has a smaller coefficient than standing fluid.
 [[nodiscard]] inline double coolant_film(const model::Coolant& c, double temperature, bool on) {
   if (!on || !(c.flow > 0.0)) return c.stagnant;
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));
 }
 
-/// Returns 2 V ρ c for a coolant flow V [W/K]. Multiply it by the mean minus the inlet temperature
-/// to get the heat that the coolant removes. The mean temperature lies halfway between inlet and
-/// outlet temperature. The result is zero if the coolant is off.
+/// Returns 2 V ρ c for a coolant flow V with the density ρ and the heat capacity c [W/K]. Multiply
+/// the result by the mean minus the inlet temperature to get the heat that the coolant removes. The
+/// mean temperature lies halfway between inlet and outlet temperature. The result is zero if the
+/// coolant is off.
 [[nodiscard]] inline double coolant_conductance(const model::Coolant& c, double temperature,
                                                 bool on) {
   if (!on) return 0.0;

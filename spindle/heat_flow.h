@@ -24,7 +24,8 @@ class HeatFlow {
     Status status = Status::not_run;
     Vector rate_before, rate_after;  ///< dT/dt at the start and the end of the step [K/s]
     double error = 0.0;  ///< largest estimated temperature error of a body [K]; 0 if not requested
-    /// |stored - supplied heat| divided by the sum of all heat flows [1].
+    /// |stored heat - supplied heat| divided by all heat that the spindle receives and gives off in
+    /// the step, but at least by 100 J [1].
     double energy_error = unset;
     /// Heat flow to each reservoir at the start and the end of the step [W].
     std::array<double, reservoirs> out_before{}, out_after{};
@@ -47,7 +48,7 @@ class HeatFlow {
   /// transfer coefficients and ring seats.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
   /// Returns the steady-state gain of the feedback loop heat -> temperature -> preload -> heat at
-  /// the present temperatures [1]; NaN without bearings.
+  /// the present temperatures [1]; NaN without bearings or without an equilibrium of the sets.
   [[nodiscard]] double gain();
 
   [[nodiscard]] const Vector& temperatures() const { return temperatures_; }

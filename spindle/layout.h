@@ -12,8 +12,8 @@ struct Joint {
   int first = -1;
   int second = -1;      ///< index of the second cell; -1: fluid or surroundings
   double area = unset;  ///< [m²]
-  double half = 0.0;    ///< thermal resistance within the cells, up to the joint [K/W]
-  bool axial = false;   ///< true: the face is normal to the axis
+  double half = 0.0;    ///< sum of the resistances from the cell middles to the joint [K/W]
+  bool axial = false;   ///< true: open face normal to the axis; false for all other joints
 };
 using Joints = std::vector<Joint>;
 
@@ -33,7 +33,7 @@ struct BearingPlace {
   double position = unset, width = unset;  ///< [m]
   double seat_bore = unset, seat = unset;  ///< radius of the shaft bore and of the shaft seat [m]
   double inner_shoulder = unset, outer_shoulder = unset;  ///< shoulder radii [m]
-  double housing_seat = unset, housing_outer = unset;     ///< housing radii [m]
+  double housing_seat = unset, housing_outer = unset;     ///< radii of housing bore and surface [m]
   /// diametral fit on the shaft and in the housing, cold and at standstill [m]
   double inner_interference = unset, outer_clearance = unset;
   Joints inner_seat, outer_seat;
@@ -55,9 +55,10 @@ struct ClampedFace {
 /// Cells, joints and dimensions of a spindle that do not depend on the operating point.
 struct Layout {
   Mesh mesh;
-  std::vector<BearingPlace> bearings;  ///< order as in model::rings_of()
+  std::vector<BearingPlace> bearings;  ///< front set, rear set, roller bearings
   Joints shoulders, collars;
-  Joints clamped;  ///< spacers to inner rings, if the model gives no clamping force of inner rings
+  /// Joints of spacers and inner rings; empty if the model gives a clamping force of inner rings.
+  Joints clamped;
   std::vector<ClampedFace> faces;  ///< side faces of rings with clamping force
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
@@ -67,7 +68,8 @@ struct Layout {
   double housing_start = unset, housing_end = unset;  ///< [m]
   /// positions of the centres of the bearing sets [m]; `rear_centre` is NaN without a rear set
   double front_centre = unset, rear_centre = unset;
-  std::vector<double> helix_length;  ///< length of each coolant channel [m]
+  /// Number of turns times circumference of each coolant channel [m].
+  std::vector<double> helix_length;
 
   /// Returns the material of the first cell in `seat`.
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {

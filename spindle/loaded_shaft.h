@@ -55,8 +55,8 @@ struct LoadedShaft {
   /// in which the preload presses the inner ring.
   std::vector<bearing::Vector5> loads;
   std::vector<bearing::BearingEquilibrium> bearings;
-  /// Equilibrium of each roller bearing, with the x axis towards the rear. `load` is the load from
-  /// the shaft.
+  /// Equilibrium of each roller bearing, with the x axis towards the rear. The member `load` of
+  /// each entry is the load from the shaft.
   std::vector<bearing::RollerEquilibrium> rollers;
   bearing::SolveReport report;
 };
@@ -110,13 +110,13 @@ class ShaftOnBearings {
                                              const bearing::EquilibriumOptions& options = {});
 
 /// Returns true if the preload presses the inner ring of bearing `i` to the rear. The front set of
-/// an O arrangement and the rear set of an X arrangement have such bearings.
+/// an O or tandem arrangement and the rear set of an X arrangement have such bearings.
 [[nodiscard]] bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i);
 
 /// Returns the tangent stiffness of the bearings as springs of the beam. With the stiffness matrix
 /// K of a bearing, the coupling of force and tilt is +K(y, θz) if the preload presses the inner
-/// ring to the rear, otherwise -K(y, θz). At speed, K(y, θz) and K(θz, y) differ by 1 to 2 %; their
-/// mean is used.
+/// ring to the rear, otherwise -K(y, θz). In the plane of z, -K(z, θy) replaces K(y, θz). At speed,
+/// K(y, θz) and K(θz, y) differ by 1 to 2 %; their mean is used.
 [[nodiscard]] std::vector<Spring> bearing_springs(
     const bearing::Arrangement& arrangement, std::span<const double> places,
     std::span<const bearing::BearingEquilibrium> bearings);

@@ -71,8 +71,8 @@ struct Mesh {
 };
 
 /// Divides regions into cells. The grid has lines at the edges of all regions and at the axial
-/// positions `lines` [m]. More lines limit the cells to the length `axial` and the thickness
-/// `radial` [m].
+/// positions `lines` [m]. Additional grid lines limit the cells to the length `axial` and the
+/// thickness `radial` [m].
 ///
 /// Domain: regions must not overlap. Throws std::invalid_argument for a region without volume.
 [[nodiscard]] Mesh make_mesh(std::span<const Region> regions, double axial, double radial,

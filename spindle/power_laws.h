@@ -57,7 +57,8 @@ struct LagAt {
 ///           meaning, and T of the line may become zero.
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< slopes [m/W], [s/W]; offsets [m], [s]
-  /// NaN if a P is not above 0, or if two of the fitted gains or time constants differ in sign.
+  /// Power laws of K and T. All members of a law are NaN if a P is not above 0, or if the fitted
+  /// gains (or time constants) do not all have the same sign.
   PowerLaw gain_power = {}, time_power = {};
   /// Range of P >= 0 in which the gain line has the sign of the gains and the time line is
   /// positive [W]. `valid_to` may be infinite.
@@ -74,7 +75,7 @@ struct PowerLaws {
 /// or load are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
 /// Returns a curve of the time constant T through all points. `at_rest` is T at zero power or
-/// load [s]; it has no effect if it is NaN or if a point is at zero.
+/// load [s]; it has no effect if it is NaN or if one of the points has zero power or load.
 [[nodiscard]] MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest = unset);
 
 }  // namespace raceway::spindle

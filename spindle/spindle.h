@@ -68,9 +68,9 @@ struct BearingState {
 struct HeatBalance {
   double friction = 0.0;  ///< friction of all bearings
   /// Half width of the 95 % band of `friction`; 0 unless the friction law is a table with a band.
-  /// The errors of the bearings are assumed to be fully correlated.
+  /// The friction errors of all bearings are assumed to be fully correlated.
   double friction_band = 0.0;
-  double drive = 0.0;  ///< heat of all sources except friction
+  double drive = 0.0;  ///< heat of all sources except bearing friction
   double coolant = 0.0, air = 0.0, machine = 0.0;
   double stored = 0.0;  ///< heat that the spindle stores per second
 };
@@ -78,7 +78,7 @@ struct HeatBalance {
 /// Temperatures and heat flow of a coolant circuit.
 struct CircuitState {
   double inlet = unset;   ///< [K]
-  double outlet = unset;  ///< outlet temperature; mean temperature without flow [K]
+  double outlet = unset;  ///< outlet temperature [K]; without flow: mean coolant temperature
   double heat = 0.0;      ///< heat that the coolant flow removes [W]
 };
 
@@ -87,7 +87,8 @@ struct Moment {
   double time = unset;          ///< [s]
   double displacement = unset;  ///< displacement of the nose face relative to the flange, positive
                                 ///< towards the tool [m]
-  /// Displacement of the shaft with cold bearing sets at this speed and axial load [m].
+  /// Displacement of the shaft relative to cold standstill, calculated with cold bearing sets at
+  /// this speed and axial load [m].
   double kinematic_displacement = unset;
   /// Displacement of the shaft in its bearing sets since cold standstill [m].
   double set_position = unset;
@@ -97,10 +98,12 @@ struct Moment {
   double front_force = unset, rear_force = unset;  ///< axial force of each bearing set [N]
   HeatBalance heat = {};
   std::vector<double> sources = {};         ///< heat of each source in model::Spindle::heat [W]
-  std::vector<BearingState> bearings = {};  ///< front set first, then rear set, then rollers
-  std::vector<double> sensors = {};         ///< sensor temperatures in the order of the model [K]
-  /// Outlet temperature of the first coolant circuit, T_in + 2 (T_mean - T_in), from the inlet and
-  /// the mean temperature of the coolant [K]; T_mean without flow, NaN without a coolant circuit.
+  std::vector<BearingState> bearings = {};  ///< front set, rear set, roller bearings
+  /// Sensor temperatures in the order of the model; for a network, all body temperatures [K].
+  std::vector<double> sensors = {};
+  /// Outlet temperature of the first coolant circuit, T_in + 2 (T_mean - T_in), from the inlet
+  /// temperature T_in and the mean temperature T_mean of the coolant [K]; T_mean without flow, NaN
+  /// without a coolant circuit.
   double coolant_outlet = unset;
   std::vector<CircuitState> circuits = {};  ///< circuits in the order of model::Spindle::channels()
   [[nodiscard]] double thermal_displacement() const {
@@ -118,9 +121,10 @@ struct State {
 struct Report {
   Status status = Status::not_run;
   int steps = 0, rejected = 0;
-  /// Largest error of the heat balance over all steps of simulate(): |stored heat - supplied heat|
-  /// divided by all heat that the spindle receives and gives off [1]. For steady(): |stored heat|
-  /// divided by the heat of bearing friction and all other sources.
+  /// Error of the heat balance [1]. For simulate(), the largest value of all steps: |stored heat -
+  /// supplied heat| divided by all heat that the spindle receives and gives off in the step, but at
+  /// least by 100 J. For steady(): |stored heat| divided by the heat of bearing friction and all
+  /// other sources.
   double energy_error = unset;
   std::string message = {};  ///< reason if the simulation did not converge
   [[nodiscard]] bool converged() const { return status == Status::converged; }
@@ -133,10 +137,11 @@ struct Run {
   bool has_end = false;                ///< true: add_end() added a moment at an early stop
   std::vector<double> step_ends = {};  ///< end time of each time step [s]
   State end = {};
-  /// States at the times `keep` of simulate(). Times after an early stop have no state.
+  /// State at the end of the first step that reaches each time in `keep` of simulate(). Times after
+  /// an early stop have no state.
   std::vector<State> kept = {};
   Report report = {};
-  /// Largest axial force of the front set in any step or row [N].
+  /// Largest axial force of the front set in any row or at the end of any time step [N].
   double highest_front_force = 0.0;
   double time_of_highest_force = unset;  ///< [s]
 };
@@ -229,11 +234,11 @@ class Simulator {
   [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
                              std::span<const double> step_ends = {},
                              std::span<const double> keep = {});
-  /// Finds the steady state for these inputs. If there is none, `report` gives the reason, and
+  /// Finds the steady state for these inputs. If the search fails, `report` gives the reason, and
   /// displacements and forces are NaN.
   [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
   /// Returns the temperatures of all cells at the end of the last call of simulate() or steady().
-  /// "The last call" means this call also in the comments below.
+  /// In the comments below, "the last call" is also the last call of one of these two functions.
   [[nodiscard]] const State& state() const;
   /// Returns the equilibrium of the bearing sets at the end of the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;

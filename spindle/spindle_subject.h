@@ -21,7 +21,8 @@ class SpindleSubject : public model::ModelSubject {
   [[nodiscard]] bool approximates() const override { return true; }
   [[nodiscard]] bool is_costly() const override { return true; }
   /// Returns the runs of the record, and the time steps of a simulation with the values of the
-  /// model file. Fits use these time steps for all parameter values.
+  /// model file. Fits use these time steps for all parameter values. A simulation that fails with
+  /// these time steps is repeated with its own step sizes.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   /// Returns a predictor that simulates every run on its own. A run starts at its ambient
   /// temperature. If the thermometers show that the first run of a record began warm
@@ -31,12 +32,13 @@ class SpindleSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns one sentence for each run of a record that starts warm.
+  /// Returns one sentence for each run that starts warm. The sentence describes the operation that
+  /// find_warm_start() found before the run.
   [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
   /// Returns the effects that a diagnosis may add. Effects that change the load or the condition of
-  /// the bearings in operation are left out, because a spindle has its own effects of heat and
-  /// friction.
+  /// the bearings in operation are left out, because they apply only to models without [shaft] and
+  /// [housing].
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;

@@ -7,7 +7,7 @@
 
 namespace raceway::spindle {
 
-/// One minute [s], the unit of time constants in results of step responses.
+/// One minute [s], the unit of time constants in result files and printed tables.
 inline constexpr double one_minute = 60.0;
 
 /// First-order lag with the step response gain (1 - exp(-t/time_constant)).
@@ -24,8 +24,8 @@ struct StepFit {
   /// lags.
   Lag fast = {}, slow = {};
   double rms_of_two = unset;  ///< RMS residual of the fit with two lags [m]
-  /// True if `rms` exceeds a hundredth of the gain of `one`, and `rms_of_two` is less than half of
-  /// `rms`.
+  /// True if `rms` exceeds a hundredth of the absolute gain of `one`, and `rms_of_two` is less than
+  /// half of `rms`.
   bool two_needed = false;
   /// True if the last row lies at least two time constants of `one` after the step. Otherwise, gain
   /// and time constant of `one` are extrapolated.
@@ -41,9 +41,9 @@ struct StepFit {
 ///           derivatives give the time constants. No start values are needed.
 /// Domain:   one lag needs at least two rows at different times t > 0, and two lags need at least
 ///           six rows with t > 0. Rows may have any order and spacing, with t >= 0 [s]. T is
-///           limited to the range from a tenth of the first time t > 0 to thirty times the last
-///           time.
-/// Accuracy: relative error of the time constants 1e-9 if the rows follow the law exactly.
+///           limited to the range from a tenth of the smallest time t > 0 to thirty times the
+///           largest time.
+/// Accuracy: relative error of the time constants 1e-9 if the rows follow u(t) exactly.
 /// Traps:    first subtract the kinematic displacement, because this immediate displacement would
 ///           look like a fast lag. Throws std::invalid_argument for too few rows, for a value that
 ///           is not finite, for a negative time, and if all displacements are zero.
@@ -56,9 +56,9 @@ struct StepFit {
 ///
 /// A delay element of a correction needs these time constants for the spindle at rest. If the gains
 /// were fitted, the lags of the decay would not correspond to the lags of the step.
-/// Method:   a logarithmic grid from a tenth of the first time t > 0 to thirty times the last time,
-///           refined around its best point.
-/// Accuracy: relative error 1e-6 if the rows follow the law exactly. Throws std::invalid_argument
+/// Method:   a logarithmic grid from a tenth of the smallest time t > 0 to thirty times the largest
+///           time, refined around its best point.
+/// Accuracy: relative error 1e-6 if the rows follow u(t) exactly. Throws std::invalid_argument
 ///           like fit_step(), and if the number of gains is not one or two.
 [[nodiscard]] std::vector<double> fit_decay(std::span<const double> time,
                                             std::span<const double> displacement,

@@ -60,7 +60,7 @@ struct LoadSteps {
 };
 
 struct StepResponses {
-  std::vector<StepResponse> steps = {};  ///< in the order of the request
+  std::vector<StepResponse> steps = {};  ///< in the order of the given speeds
   CoolDown cool_down = {};
   std::vector<LoadSteps> loads = {};  ///< axial loads first; each load type in order of speeds
 };
@@ -70,7 +70,7 @@ struct StepOptions {
   /// Interval between rows of a speed step [s]. Load steps use a quarter of this interval.
   double row = 120.0;
   Inputs inputs = {};     ///< all inputs except speed and stepped load
-  bool cool_down = true;  ///< true: simulate a cooling of equal length after the fastest step
+  bool cool_down = true;  ///< true: simulate cooling of the same duration after the fastest step
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the functions throw fit::Cancelled
 };
 

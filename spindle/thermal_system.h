@@ -41,7 +41,7 @@ class ThermalSystem {
     model::Coolant channel;
     int node = -1;  ///< index of the node at the mean coolant temperature
     Group walls = {};
-    std::size_t flow = 0;  ///< index of the coolant flow in HeatPaths::outlets
+    std::size_t flow = 0;  ///< index in HeatPaths::outlets of the heat removal by coolant flow
   };
   [[nodiscard]] const std::vector<Circuit>& circuits() const { return circuits_; }
   /// Returns the inlet temperature of a circuit for these inputs [K].
@@ -78,8 +78,8 @@ class ThermalSystem {
   void update_seats(const Vector& temperatures, double speed);
   void update_room(const Vector& temperatures, double speed);
   void update_coolant(const Vector& temperatures, const Inputs& inputs);
-  /// Weights of the cells that a source heats. The share `share` of the heat enters the group
-  /// `first`, the rest enters the group `second`.
+  /// Weights of the cells that a source heats. The fraction `share` of the heat enters the cells in
+  /// `first`, and the rest enters the cells in `second`.
   struct HeatedCells {
     Shares first, second;
     double share = 1.0;

@@ -5,9 +5,9 @@
 namespace raceway::spindle {
 
 /// Returns the weights of cell temperatures in the reading of a thermometer. The reading is
-/// interpolated linearly between the middles of the surrounding cells. Between the last middle and
-/// the face of a part, the reading is extrapolated linearly. The weights have the sum 1. Throws
-/// std::invalid_argument if the spindle does not have the part.
+/// interpolated linearly between the middles of the surrounding cells. Between the middle of the
+/// outermost cell and the face of a part, the reading is extrapolated linearly. The weights have
+/// the sum 1. Throws std::invalid_argument if the spindle does not have the part.
 [[nodiscard]] Shares thermometer(const Mesh& mesh, const model::ThermometerPlace& place);
 
 }  // namespace raceway::spindle

@@ -38,8 +38,9 @@ struct BearingHeat {
 /// Each bearing has its own ring temperatures, and thermal_shift() gives the ring expansion. Balls
 /// and lubricant have the mean temperature of both rings. Friction depends on the axial forces of
 /// the warm sets. If the model sets `preload_feedback` to false, friction depends on the forces of
-/// the cold sets at the same speed. The contributions of radial loads to forces, friction and shaft
-/// position are constant between two calls of bear().
+/// the cold sets at the same speed. SpindleCondition::other_preload_feedback interpolates between
+/// both cases. The contributions of radial loads to forces, friction and shaft position are
+/// constant between two calls of bear().
 class WarmSets {
  public:
   /// Mounts the bearing sets. Throws std::invalid_argument if they cannot be mounted.
@@ -96,7 +97,7 @@ class WarmSets {
 
   model::Model model_;
   model::Steps steps_, friction_;
-  bool has_effects_ = false;  ///< true if effects act on friction
+  bool has_effects_ = false;  ///< true if the model has effects that change friction
   bool has_conditions_ = false;
   /// Weight of the forces of the warm sets in the friction [1]. The forces of the cold sets have
   /// the weight 1 - feedback_.

@@ -28,10 +28,10 @@ struct WarmStart {
 /// temperature, or if the RMS error of the best operation is not below half of the RMS error of a
 /// cold start.
 ///
-/// The candidates have a constant speed above 0: the speed of the first row, or the mean or the
-/// highest speed of the run. They last 0.25, 0.5, 1, 2, 4 or 8 hours, with the other inputs of the
-/// first row. `zeroed` is true if the absolute first reading of the displacement is less than a
-/// quarter of the displacement that the model predicts after the operation.
+/// The candidate operations have a constant speed above 0: the speed of the first row, or the mean
+/// or the highest speed of the run. They last 0.25, 0.5, 1, 2, 4 or 8 hours, with the other inputs
+/// of the first row. `zeroed` is true if the absolute first reading of the displacement is less
+/// than a quarter of the absolute displacement that the model predicts after the operation.
 [[nodiscard]] std::optional<WarmStart> find_warm_start(const model::Model& model,
                                                        const record::Record& run,
                                                        std::span<const ProfileRow> profile);

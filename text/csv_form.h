@@ -11,8 +11,8 @@ namespace raceway::text {
 /// Finds the header of a measurement file in the first lines of the file. The header is the first
 /// line with a name for which `known` returns true. If no name is known, the header is the line
 /// above the first row of numbers, or above the row of units. This header must have at least as
-/// many cells as the first row of numbers. A line below the header is the row of units if at least
-/// half of its cells are units and no cell is a reading.
+/// many cells as the first row of numbers. The line below the header is the row of units if at
+/// least half of its cells are units and no cell is a reading.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 
@@ -25,8 +25,8 @@ namespace raceway::text {
 /// Returns the text of a comment after the `#`.
 [[nodiscard]] std::string_view behind_hash(std::string_view comment);
 
-/// Returns true if a cell is a number, with a decimal point or comma if it has one, with or without
-/// a unit ("12.3 °C"), or a time (text/timestamp.h).
+/// Returns true if a cell is a number or a time (text/timestamp.h). The number may have a decimal
+/// point or a decimal comma, and a unit ("12.3 °C").
 [[nodiscard]] bool is_reading(std::string_view cell);
 
 }  // namespace raceway::text

@@ -7,7 +7,7 @@
 namespace raceway::text {
 
 /// Header of a LabVIEW measurement file (LVM). The header gives the time of the first row and the
-/// time step. These times replace an empty column X_Value.
+/// time step. If the column X_Value is empty, the time of each row is computed from both.
 ///
 /// Source: NI, "Specification for the LabVIEW Measurement File (.lvm)", version 2: `X0`, `Delta_X`,
 /// `Decimal_Separator` and `X_Columns` (One, Multi, No). This code was not checked against the
@@ -16,7 +16,7 @@ class LabviewHead {
  public:
   static constexpr std::string_view column = "X_Value";
 
-  /// Reads a line above the header.
+  /// Reads one line above the row of column names.
   void take(std::string_view line);
   /// Returns the time of a row, written as in the file; empty if the header gives no time.
   [[nodiscard]] std::optional<std::string> time_of(std::size_t row) const;

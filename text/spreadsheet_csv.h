@@ -21,9 +21,9 @@ struct PlainCsv {
 /// Separates the table in a CSV text of this program from the comments.
 [[nodiscard]] PlainCsv plain_csv(std::string_view csv);
 
-/// Converts the result of plain_csv() to a form that a spreadsheet opens by a double click: with a
-/// UTF-8 byte order mark, CR LF and the given marks. Throws std::invalid_argument if both marks are
-/// the same.
+/// Separates table and comments like plain_csv(), and converts the table to a form that a
+/// spreadsheet opens by a double click: with a UTF-8 byte order mark, CR LF and the given marks.
+/// Throws std::invalid_argument if both marks are the same.
 [[nodiscard]] PlainCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks = {});
 
 }  // namespace raceway::text

@@ -43,13 +43,14 @@ struct Approximation {
   /// `rms` and `rms_held_out` for the means of each channel of Subject::measured(); NaN for a
   /// channel without means.
   std::vector<double> channel_rms{}, channel_held_out{};
-  /// Variance of a weighted mean, which determines the weight of priors; 0 without priors.
+  /// Variance of the weighted residual of a mean, which is the weight w of priors in
+  /// fit::Separable; 0 without priors.
   double prior_weight = 0.0;
   /// Parameters that stay at their priors, because the record does not determine them. `names` does
   /// not contain them.
   std::vector<record::Parameter> stays{};
-  /// Derivatives of the means with respect to the parameters, and start of the fit; only for costly
-  /// models (Subject::is_costly()).
+  /// Derivatives of the predicted means with respect to the parameters, and the point at which the
+  /// fit started; only for costly models (Subject::is_costly()).
   Eigen::MatrixXd slope{};
   std::shared_ptr<const fit::CostlyFit> begin{};
 };
@@ -88,7 +89,8 @@ void require_fit(const Approximation& approximation);
 [[nodiscard]] Approximation finished(const Approximation& rough, const Recorded& recorded);
 
 /// Computes the held-out residuals and their RMS: each block is predicted from a fit to all other
-/// blocks. Each simulation runs through all rows, also through the rows of the held-out block.
+/// blocks. For costly models, the derivatives `slope` give the result of this fit. Each simulation
+/// runs through all rows, also through the rows of the held-out block.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
 /// Repeats the fit on individual rows instead of means, starting from the previous result. The

@@ -14,7 +14,8 @@
 /// would never pass a test against noise. Call these functions through loop/loop.h.
 namespace raceway::tolerance {
 
-/// Diagnoses a model on means over a minute or more. All errors below are held-out errors.
+/// Diagnoses a model on means over a minute or more. All errors below are held-out errors. An error
+/// is within the tolerance if every measured channel is within its tolerance.
 ///
 ///   1. refit without candidates. An error within the tolerance: nothing-missing.
 ///   2. refit with each candidate alone. An error within the tolerance: effect (or ambiguous), with

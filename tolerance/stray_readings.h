@@ -14,9 +14,9 @@ struct WithoutStrays {
 };
 
 /// Removes stray readings, whose residual jumps and returns (fit/isolated_readings.h), for example
-/// because chips touch a probe that measures every few minutes. The function fits the model,
-/// removes these readings, and repeats both steps up to three times. The record is unchanged for
-/// costly models (Subject::is_costly()) and for models that cannot be fitted.
+/// because chips touch a probe that measures every few minutes. The function fits the model and
+/// removes these readings, in up to three rounds. The record is unchanged for costly models
+/// (Subject::is_costly()) and for models that cannot be fitted.
 [[nodiscard]] WithoutStrays without_strays(const fit::Subject& subject,
                                            const record::Record& record);
 

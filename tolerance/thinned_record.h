@@ -15,8 +15,8 @@ namespace raceway::tolerance {
 /// exact at this time. For an input that is constant until the next row, the mean over time is
 /// used, so lags respond to the same total input. A reading is the mean of the available readings.
 /// The rows of a mean always belong to one run and one clamping (setup_id).
-/// Accuracy: good for lags that are much slower than the spacing of the means (15 s for a record of
-///           34 h, 75 s for a week).
+/// Accuracy: good for lags whose time constants are much longer than the spacing of the means (15 s
+///           for a record of 34 h, 75 s for a week).
 [[nodiscard]] std::shared_ptr<const record::Record> for_search(
     std::shared_ptr<const record::Record> record);
 

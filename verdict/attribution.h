@@ -97,7 +97,7 @@ class Attribution {
   };
   [[nodiscard]] Directions directions(const std::vector<Explanation>& singles) const;
   using Members = std::pair<std::size_t, std::size_t>;
-  /// Returns the negative linearised gains of pairs, best first.
+  /// Returns pairs with their linearised gain times -1, sorted by gain, largest gain first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
   /// Adds the candidate of `single` to `first`. The fit is coarse and starts from the sizes in

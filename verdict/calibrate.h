@@ -36,7 +36,8 @@ struct Calibration {
   fit::Likelihood likelihood{};
   /// Factor that multiplies standard errors and intervals [1]; NaN if there are no standard errors.
   double error_factor = unset;
-  /// Profile-likelihood interval of each parameter; empty if not requested.
+  /// Profile-likelihood interval of each parameter; NaN for a parameter that was not fitted. Empty
+  /// if not requested or if the fit did not converge.
   std::vector<fit::ProfileInterval> profile{};
   std::vector<ChannelError> channels{};
   int iterations = 0;
@@ -63,8 +64,9 @@ struct CalibrateOptions {
 /// same noise as in diagnose() and add(), so all three functions give the same value of a
 /// parameter. If the data do not determine the noise (few rows, no scatter), the weights come from
 /// the declared standard deviations. If the misfit exceeds these standard deviations, the fit adds
-/// a common scatter to them [PauleMandel1982]. Without declared standard deviations, all readings
-/// of a channel have equal weight. Rows without a prediction are listed and not used.
+/// a common scatter to them [PauleMandel1982]. If a reading of a channel has no declared standard
+/// deviation either, all readings of this channel have equal weight. Rows without a prediction are
+/// listed and not used.
 ///
 /// Standard errors follow from the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1), with J = df/dx.
 /// Standard errors are multiplied by sqrt(χ²/degrees of freedom) if the misfit exceeds the noise
@@ -72,13 +74,13 @@ struct CalibrateOptions {
 /// missing effect. Profile-likelihood intervals use the same noise and the same factor. The
 /// intervals end where the rise of -2 ln L is 3.84 times the square of this factor.
 ///
-/// If the data cannot separate a parameter from earlier parameters in the list, the fit keeps the
-/// parameter at its start value. The fit marks this parameter and the earlier ones as not
-/// identifiable. The fit also keeps a parameter at its start value if the fitted standard error
-/// exceeds the range of the bounds, because such a fitted value has no meaning. Throws
-/// std::invalid_argument for a record that does not suit this kind of model, for an unknown
-/// parameter, and for fewer readings than parameters. For models that only approximate the readings
-/// (Subject::approximates()), use calibrate() in loop/loop.h.
+/// If the data cannot separate a parameter from parameters that precede it in the list of free
+/// parameters, the fit keeps the parameter at its start value. The fit marks this parameter and the
+/// preceding ones as not identifiable. The fit also keeps a parameter at its start value if the
+/// fitted standard error exceeds the range of the bounds, because such a fitted value has no
+/// meaning. Throws std::invalid_argument for a record that does not suit this kind of model, for an
+/// unknown parameter, and for fewer readings than parameters. For models that only approximate the
+/// readings (Subject::approximates()), use calibrate() in loop/loop.h.
 [[nodiscard]] Calibration calibrate_by_noise(const fit::Subject& subject,
                                              const record::Record& record,
                                              const CalibrateOptions& options = {});

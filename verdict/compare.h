@@ -41,10 +41,12 @@ struct RowError {
 ///   declared or regression   statistic = χ²/degrees of freedom, χ² distribution
 ///   repeats                  statistic = F, lack of fit over pure error, F distribution
 ///   none                     NaN
+/// For a model that only approximates the readings, the test is not carried out: NaN.
 struct LackOfFit {
   double statistic = unset;
   double p_value = unset;
-  /// Rows minus fitted parameters; repeats count once if the noise comes from repeats.
+  /// Number of rows minus number of fitted parameters. If the noise comes from repeats, a group of
+  /// repeated rows counts as one row.
   int degrees_of_freedom = 0;
   /// Degrees of freedom of the scatter within repeats (pure error); 0 for all other sources.
   int noise_degrees_of_freedom = 0;
@@ -93,13 +95,14 @@ struct Comparison {
   std::string_view begins{};  ///< initial state of the simulation ("rest"); empty if there is none
   Judgement judgement = Judgement::unknown;
   double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
-  /// Errors in ranges of each varying input and in runs, largest first.
+  /// Errors in ranges of each varying input and in runs, largest first. For a model that only
+  /// approximates the readings, also errors in ranges of time.
   std::vector<ErrorRange> where{};
   std::vector<ErrorRange> records{};  ///< errors of each joined record, in the order of the records
   std::vector<RowError> worst{};      ///< the five rows with the largest residuals, largest first
   std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
   std::vector<std::size_t> rows_not_predicted{};  ///< rows with a reading but without a prediction
-  std::string statement{};  ///< text: size of the misfit, its cause and its worst range
+  std::string statement{};  ///< text: RMS misfit, comparison with the noise, and worst range
 };
 
 /// Returns the noise of a measured channel from fit::estimate_noise(). For a model that only

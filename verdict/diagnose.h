@@ -31,7 +31,7 @@ struct DiagnoseOptions {
 /// decide.
 ///
 ///   1. noise from a saturated regression
-///   2. gate: test for any missing effect, by the smooth misfit and the largest score
+///   2. gate: test for any missing effect, by an F test and a score test (Gate in verdict/gate.h)
 ///   3. refit of all base parameters with each candidate alone, then with pairs and triples
 ///   4. gate again, on the residuals of these fits
 ///   5. test on held-out blocks of rows, and check whether the sizes are plausible
@@ -46,16 +46,18 @@ struct DiagnoseOptions {
 /// another law or an implausible size. The verdict always refers to the given model.
 ///
 /// The noise cannot be estimated from fewer than 15 readings, or fewer than p + 12 readings for p
-/// free parameters. With at least 8 and at least p + 4 readings, all with declared standard
-/// deviations, these deviations are used. Only candidates with one parameter are then tried, one at
-/// a time.
+/// free parameters. In this case, the declared standard deviations are used as the noise if every
+/// reading has one and there are at least 8 and at least p + 4 readings. Only candidates with one
+/// parameter are then tried, one at a time.
 ///
 /// If a channel has a tolerance (Measured::tolerance), the held-out error within the measured range
-/// decides. Nothing is missing if the error of the refitted model is within the tolerance. An
-/// effect explains the data if the error with this effect is within the tolerance. Effects whose
-/// error is at most a fifth larger than the smallest error are also named. Two effects explain the
-/// data if no single effect does, if the pair brings the error within the tolerance, and if the
-/// error of the best single effect is at least a fifth larger than the error of the pair.
+/// decides, after subtraction of the noise: sqrt(error² - noise²). Nothing is missing if the gate
+/// gives no alarm, or if the error of the refitted model is within the tolerance. An effect
+/// explains the data if its gain exceeds the threshold above, its size is plausible, and the error
+/// with this effect is within the tolerance. Effects whose error is at most a fifth larger than the
+/// smallest error are also named. Two effects explain the data if no single effect does, if the
+/// pair brings the error within the tolerance, and if the error of the best single effect is at
+/// least a fifth larger than the error of the pair.
 ///
 /// Throws std::invalid_argument if the data cannot give a verdict (the message says what is
 /// needed), and fit::Cancelled if the caller cancels. For models that only approximate the readings

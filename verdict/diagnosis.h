@@ -29,8 +29,8 @@ enum class Verdict {
 /// Returns the verdict in the words of the JSON results, for example "nothing-missing".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// Diagnosis of one measured channel. An index of a reading in `noise`, such as in `outliers`, is
-/// an index in `baseline.errors`.
+/// Diagnosis of one measured channel. Indices of readings in `noise`, such as `noise.outliers`,
+/// refer to the list `baseline.errors`.
 struct ChannelDiagnosis {
   Comparison baseline{};  ///< comparison of the refitted model with the readings
   fit::NoiseModel noise{};
@@ -57,13 +57,15 @@ struct RankedEffect {
   std::vector<std::pair<std::string, std::string>> acts_on{};
   bool by_column = false;  ///< true if the id names the column of the record that drives the effect
   bool in_verdict = false;
-  /// Fall of -2 ln L when the effect is added, minus ln N for each fitted parameter other than the
-  /// size, with N readings. If the verdict is `several_effects` and includes this effect, this is
-  /// the gain of the whole set.
+  /// Fall of -2 ln L when the effect is added, minus ln N for each parameter of the effect that is
+  /// neither the size nor at a bound, with N readings. If the verdict is `several_effects` and
+  /// includes this effect, this is the gain of the whole set.
   double gain = unset;
-  fit::Likelihood likelihood{};         ///< likelihood of the model that `gain` refers to
-  std::vector<double> rmse{};           ///< RMS error of each channel on the rows of the fit [SI]
-  std::vector<double> rmse_held_out{};  ///< held-out RMS error of each channel [SI]
+  fit::Likelihood likelihood{};  ///< likelihood of the model that `gain` refers to
+  std::vector<double> rmse{};    ///< RMS error of each channel on the rows of the fit [SI]
+  /// Held-out RMS error of each channel [SI]; calculated only for the effects of the verdict and
+  /// the six best other effects.
+  std::vector<double> rmse_held_out{};
   std::vector<record::Parameter> parameters{};  ///< parameters of the effect, named without its id
   std::size_t size = 0;  ///< index of the parameter that gives the effect its size
   /// Free parameters of the model: `start` is the value fitted without the effect, `value` the
@@ -233,8 +235,8 @@ struct Diagnosis {
   /// only. Null if no other base model is good enough.
   std::shared_ptr<const Diagnosis> given_other_base{};
   /// True if a tolerance is given and the held-out error of the refitted model without effects is
-  /// within it. `significant_but_immaterial` then names effects that are statistically significant
-  /// and reduce the held-out error.
+  /// within it after subtraction of the noise: sqrt(error² - noise²). `significant_but_immaterial`
+  /// then names effects that are statistically significant and reduce the held-out error.
   bool within_tolerance = false;
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user

@@ -33,10 +33,12 @@ namespace raceway::verdict {
                                              std::size_t member);
 
 /// Returns the probability that random offsets of blocks of rows follow one candidate as closely as
-/// the observed offsets: P(F(1, B - 2) >= G (B - 2) / R) for B blocks. G is the gain of the
-/// candidate. R is the part of the remaining sum of squares that one offset for each block
-/// explains. The probability is 0 if the candidate is also visible within blocks. The result is NaN
-/// if there are no blocks that may be undeclared runs (RowOrder::new_block).
+/// the observed offsets: P(F(1, B - 2) >= G / max(1, R / (B - 2))) for B blocks. G is the fall of
+/// the sum of the squared whitened residuals when the candidate is added. R is the part of the
+/// remaining sum of squares that one offset for each block explains. The probability is 0 if the
+/// candidate is also visible within blocks. The result is NaN if there are no blocks that may be
+/// undeclared runs (RowOrder::new_block), and if the law of the candidate is multiplied by powers
+/// of the inputs (Attribution::elastic()).
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 

@@ -8,10 +8,10 @@
 
 namespace raceway::verdict {
 
-/// Random numbers for the distribution that the largest score has if no effect is missing. They are
-/// standard normal numbers, drawn at first use. The numbers are identical for all gates of a
-/// diagnosis, and for all diagnoses with the same number of scores. The first call of p_value()
-/// draws the numbers, so several threads must not call p_value() at the same time.
+/// Random numbers for the distribution that the largest score (see Gate) has if no effect is
+/// missing. They are standard normal numbers, drawn at first use. The numbers are identical for all
+/// gates of a diagnosis, and for all diagnoses with the same number of scores. The first call of
+/// p_value() draws the numbers, so several threads must not call p_value() at the same time.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}

@@ -11,8 +11,10 @@ namespace raceway::verdict {
 /// the scatter of the sensor. No law of the recorded inputs can explain this difference.
 struct HiddenInput {
   const record::Channel* channel = nullptr;
-  double scatter = unset;  ///< relative standard deviation of readings at nearly equal inputs [1]
-  /// Rows with nearly equal inputs and the largest difference of readings.
+  /// Relative standard deviation of readings at nearly equal inputs [1]: the smaller of the pooled
+  /// and the robust value.
+  double scatter = unset;
+  /// Two rows with nearly equal inputs and the largest ratio of readings (`high` over `low`).
   std::size_t low = 0, high = 0;
   /// Share of the variance of these readings that is common to the rows of a run [1]; NaN for fewer
   /// than two runs or too few rows.

@@ -9,10 +9,11 @@
 namespace raceway::verdict {
 
 /// Finds parameters that the data cannot separate from others, neither at the start values of a fit
-/// nor at other values. If the influence of a parameter equals a combination of the influences of
-/// earlier parameters, the function fixes the parameter, marks this parameter and the earlier ones
-/// as not identifiable, and adds a message. `lacks` returns the missing data that a parameter
-/// needs, as Subject::lacks().
+/// nor at other values. A parameter is fixed if it changes no reading, or if its influence equals a
+/// combination of the influences of parameters that precede it in `response.parameters`. The
+/// function marks this parameter and the preceding ones in the combination as not identifiable, and
+/// adds a message. `lacks` returns the missing data that a parameter needs, as Judged::lacks() does
+/// for an effect.
 void hold_dependent(const fit::Response& response, const fit::Whitening& whitening,
                     const std::function<std::string(const std::string& parameter)>& lacks,
                     Calibration& result);

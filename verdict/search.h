@@ -21,8 +21,8 @@ struct Finding {
     /// The corrections of both exponents of the base law (viscous part and load part) together
     /// explain the misfit. The threshold for this pair is lower than for other pairs.
     base_laws,
-    /// One candidate removes at least half of the mean square error, but the error exceeds the
-    /// tolerance.
+    /// One candidate removes at least half of the mean square held-out error beyond the noise, but
+    /// the remaining error exceeds the tolerance.
     partly
   };
   Kind kind = Kind::none;
@@ -40,10 +40,10 @@ struct SearchLimits {
   std::function<bool()> cancelled{};
 };
 
-/// Searches for candidates that explain a misfit, in this order: single candidates, the corrections
-/// of both exponents of the base law together, pairs, triples, candidates whose law is multiplied
-/// by powers of the inputs. The search ends when the residuals are noise or, if a tolerance is
-/// given, when the held-out error is within it.
+/// Searches for candidates that explain a misfit. explain() tries, in this order: single
+/// candidates, the corrections of both exponents of the base law together, pairs, triples,
+/// candidates whose law is multiplied by powers of the inputs. explain_within_tolerance() tries
+/// single candidates, then pairs.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
@@ -52,7 +52,7 @@ class Search {
   /// Refits the model with each candidate alone.
   void refit_singles();
   [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
-  /// Searches until the residuals are noise.
+  /// Searches until the residuals are noise. Triples are also tried if a pair leaves only noise.
   [[nodiscard]] Finding explain();
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();

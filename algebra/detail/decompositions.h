@@ -51,7 +51,7 @@ namespace raceway::algebra {
 /// pairs.
 [[nodiscard]] Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A);
 
-/// Decomposition A = V diag(values) Vᵀ.
+/// Decomposition A = V diag(values) Vᵀ of a symmetric A: n × n.
 struct SymmetricEigen {
   Eigen::VectorXd values;   ///< ascending
   Eigen::MatrixXd vectors;  ///< V: n × n, a unit vector in each column
@@ -63,7 +63,7 @@ struct SymmetricEigen {
 /// The min(m, n) singular values of A: m × n, descending.
 [[nodiscard]] Eigen::VectorXd singular_values(const Eigen::MatrixXd& A);
 
-/// Decomposition A = U diag(values) Vᵀ with k = min(m, n) singular values.
+/// Decomposition A = U diag(values) Vᵀ of A: m × n, with k = min(m, n) singular values.
 struct ThinSvd {
   Eigen::MatrixXd U;       ///< m × k
   Eigen::VectorXd values;  ///< k, descending
@@ -73,7 +73,7 @@ struct ThinSvd {
 /// Singular values and vectors of A: m × n.
 [[nodiscard]] ThinSvd thin_svd(const Eigen::MatrixXd& A);
 
-/// Singular values and right singular vectors, for the covariance of parameters.
+/// Singular values and right singular vectors of A: m × n, for the covariance of parameters.
 struct RightSvd {
   Eigen::VectorXd values;  ///< k = min(m, n), descending
   Eigen::MatrixXd V;       ///< n × k
@@ -93,17 +93,17 @@ class PivotedQr {
  public:
   explicit PivotedQr(const Eigen::MatrixXd& A);
   /// The rank is the number of pivots |R_kk| above `threshold` times the largest pivot [1]. Without
-  /// `threshold`, the rank is the number of pivots above rounding.
+  /// `threshold`, the rank is the number of pivots above rounding error.
   PivotedQr(const Eigen::MatrixXd& A, double threshold);
 
   [[nodiscard]] Eigen::Index rank() const;
-  /// Solution x of min |b - A x|, as least_squares. b: m.
+  /// Solution x of min |b - A x|, as from least_squares(). b: m.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   /// Solutions for the columns of B: m × k. Result: n × k.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
   /// R: n × n, upper triangular; m >= n.
   [[nodiscard]] Eigen::MatrixXd R() const;
-  /// Orthonormal basis of the space of the columns: m × rank.
+  /// Orthonormal basis of the space of the columns of A: m × rank.
   [[nodiscard]] Eigen::MatrixXd column_space() const;
 
  private:
@@ -146,7 +146,7 @@ class LowerRoot {
  public:
   explicit LowerRoot(const Eigen::MatrixXd& A);
 
-  /// L⁻¹ b.
+  /// Returns L⁻¹ b. b: n.
   [[nodiscard]] Eigen::VectorXd solve_root(const Eigen::VectorXd& b) const;
   /// Returns ln det A. The result is meaningless if A is not positive definite.
   [[nodiscard]] double log_determinant() const;

@@ -9,8 +9,9 @@
 #include "bearing/thrust_start.h"
 
 // One source file for each instruction set includes this header. The linker must not merge code
-// compiled for different sets, so each function is templated on T or always inlined. (xsimd's
-// reduction of very large angles is an exception, but contact angles are never so large.)
+// compiled for different instruction sets, so each function is templated on T or always inlined.
+// (The argument reduction of xsimd for very large angles is an exception, but contact angles are
+// never so large.)
 namespace raceway::bearing {
 
 /// Memory of a kernel. Each thread has one such object and uses it again in later calls.
@@ -87,8 +88,8 @@ class KernelRun {
     }
   }
 
-  /// Gives lane i the next point for which a thrust start was found. Returns false if no such point
-  /// is left.
+  /// Starts lane i with the next point for which a thrust start was found. Returns false if no such
+  /// point is left.
   bool begin(std::size_t i, std::size_t& next) {
     RingNewton<T>& newton = memory_.newton;
     while (next < call_.count) {

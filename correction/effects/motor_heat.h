@@ -9,7 +9,7 @@ namespace raceway::correction {
 /// The heat of a motor moves the machine. The displacement follows the motor temperature with a
 /// gain and a first-order lag. If no motor temperature is recorded, or all recorded motor
 /// temperatures are already inputs of the model, the input of the lag is exp(-n/n0) while the
-/// spindle turns at the speed n, and 0 at standstill.
+/// spindle turns at the speed n, and 0 at standstill. n0 is the parameter decay_speed_rpm.
 struct MotorHeat final : EffectKind {
   static constexpr record::NumberCard decay_speed{
       "decay_speed_rpm", "rpm", 2000, 300, 8000, 300, 8000, unset};

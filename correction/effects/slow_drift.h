@@ -7,7 +7,8 @@
 
 namespace raceway::correction {
 
-/// A slow machine part without a sensor settles over the whole record: c (1 - exp(-t/τ)).
+/// A slow machine part without a sensor settles over the whole record: c (1 - exp(-t/τ)), with the
+/// final displacement c and the time t since the start of the record.
 struct SlowDrift final : EffectKind {
   static constexpr record::NumberCard size{"size", "um", 0.0, -any_size, any_size};
   static constexpr std::array both{size, time_constant_number};

@@ -30,7 +30,7 @@ class ColumnReader {
   [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
   /// Returns the times since the first row [s], from a column of dates or of elapsed times. `order`
   /// is the order of day and month in dates with slashes, if the user states it. Throws InputError
-  /// if the user does not state it and the order changes the times.
+  /// if the user does not state the order and the possible orders give different times.
   [[nodiscard]] std::vector<double> times(const ColumnSource& source,
                                           std::optional<text::DateOrder> order);
   /// Kind of the times read by times(), and the time of the first row [s]: since 1970, since

@@ -24,7 +24,7 @@ namespace raceway::files {
 [[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
                                                           std::optional<friction::Supply> supply);
 
-/// Returns the keys in [lubricant] and [bearing] of a file that only the contact law uses.
+/// Returns the keys of the contact law that a file gives in [lubricant] and [bearing].
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
 /// Reads a number in [lubricant] that only the contact law uses.

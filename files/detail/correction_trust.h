@@ -8,8 +8,8 @@
 // This include must be the last one: see text/detail/toml_text.h.
 #include "files/detail/model_section.h"
 
-/// Reads and writes the results of a fit in a correction file: ranges, covariance, residual and
-/// trust.
+/// Reads and writes the results of a fit in a correction file: ranges of the inputs, statistics of
+/// all inputs together, covariance, residual and trust.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> trust_tables();

@@ -19,8 +19,8 @@ namespace raceway::files {
 /// Reads `tilt` in [solver], the only key of [solver] for a cylindrical roller bearing.
 [[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
 
-/// Contents of [solver]. If `balanced_balls` is true, no race control is assumed; only for the
-/// contact law.
+/// Contents of [solver]. If `balanced_balls` is true, no race control is assumed. Only the contact
+/// law allows this.
 struct SolverOfFile {
   bearing::EquilibriumOptions options;
   bool balanced_balls = false;

@@ -3,8 +3,8 @@
 #include <array>
 #include <string_view>
 
-/// Column names and the mark of a slab in the file of a Stribeck table, for its writer and its
-/// reader.
+/// Column names in the file of a Stribeck table, and the mark of a slab (a file with only some
+/// points of the grid). The writer and the reader of the file use them.
 namespace raceway::files {
 
 inline constexpr std::array<std::string_view, 5> leading_columns{

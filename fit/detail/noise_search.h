@@ -11,12 +11,12 @@
 /// Search for the most likely noise model: estimate_noise_model().
 namespace raceway::fit {
 
-/// Regression of whitened readings on columns, with its restricted likelihood. The common factor of
-/// the variance has its most likely value.
+/// Regression of whitened readings on columns, with its restricted likelihood. All variances have a
+/// common factor, for which the most likely value is used.
 class RestrictedFit {
  public:
-  /// `deviation` is the difference between the readings and any fit of the columns. The choice of
-  /// this fit changes only rounding errors.
+  /// `deviation` is the difference between the readings and any linear combination of the columns.
+  /// The choice of this combination changes only rounding errors.
   RestrictedFit(const Whitening& whitening, const Eigen::MatrixXd& columns,
                 const Eigen::VectorXd& deviation);
 
@@ -38,7 +38,8 @@ class RestrictedFit {
   double square_, misfit_;
 };
 
-/// Variances of the readings for several noise shares, up to a common factor.
+/// Variances of the readings for several cases, up to a common factor. A case is a set of shares of
+/// the parts of the noise.
 struct Variances {
   Eigen::MatrixXd parts;   ///< variance from each part of the noise (readings x parts)
   Eigen::MatrixXd shares;  ///< shares of the parts (parts x cases)
@@ -99,7 +100,7 @@ class NoiseSearch {
   [[nodiscard]] double misfit(double phi, double run_share, const Shares& shares) const {
     return restricted(phi, run_share, shares).misfit();
   }
-  /// Returns the parts for the readings that the search uses.
+  /// Returns Parts with only the readings that the search uses.
   [[nodiscard]] Parts some_parts() const;
   /// Returns the share of each standard deviation that neighbours can have in common. This share
   /// excludes the scatter within a dwell and the scatter of an input. The result is empty for
@@ -107,18 +108,19 @@ class NoiseSearch {
   [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const;
   /// Returns each reading multiplied by the growth factor (n/n_max)^p of NoiseModel.
   [[nodiscard]] Eigen::VectorXd grown(const Eigen::VectorXd& reading) const;
-  /// Factor by which each standard deviation exceeds the sum of its parts.
+  /// Returns the factor of each standard deviation for outliers and for its joined record [1].
   [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
   [[nodiscard]] std::vector<Shares> all_shares() const;
   double find_shares() { return find_shares(all_shares()); }
   [[nodiscard]] static double cost(const Shares& shares);
-  /// Finds the most likely of these shares for the current memory. Returns their -2 ln L, including
-  /// the cost of the parts.
+  /// Finds the most likely of these shares for the current memory. Returns their -2 ln L plus
+  /// cost(), a penalty for each part of the noise after the first and for scatter of inputs.
   double find_shares(const std::vector<Shares>& list);
   /// Returns the shares whose -2 ln L is below a limit, for the current memory.
   [[nodiscard]] std::vector<Shares> shares_below(double limit) const;
   /// Returns -2 ln L plus cost for each of these shares. The value is infinite for shares that are
-  /// certainly above `limit`. If costs are given, the limit falls to the least value found so far.
+  /// certainly above `limit`. If `costs` is not empty, the limit falls to the smallest value found
+  /// so far.
   [[nodiscard]] std::vector<double> values(const std::vector<Shares>& list,
                                            const std::vector<double>& costs, double limit) const;
   [[nodiscard]] Variances variances_of(const std::vector<Shares>& list) const;
@@ -126,16 +128,16 @@ class NoiseSearch {
   /// the function marks the possible outliers again, and each of them adds a cost to -2 ln L.
   void find_growth();
   /// Quick test: fits the logarithms of the residuals of the saturated regression as a function of
-  /// the logarithm of the swept input. ln |z| of a normal variable has a standard deviation of
-  /// 1.11.
+  /// the logarithm of the swept input. If z is a normal variable with mean 0, ln |z| has a standard
+  /// deviation of 1.11.
   [[nodiscard]] bool seems_to_grow() const;
-  /// Removes suspects that gather at one level of a setting: the rig scatters more at that level,
-  /// so they are not outliers.
+  /// Removes the marks of possible outliers that gather at one level of a setting. The rig scatters
+  /// more at that level, so these readings are not outliers.
   void spare_levels();
-  /// Marks readings that may be outliers, with a regression of few columns. Outliers cannot pull
-  /// this regression towards them, as they can if there are half as many columns as rows. The
+  /// Marks readings that may be outliers, with a regression of few columns: at most one for six
+  /// rows. Outliers influence this regression less than a regression with more columns. The
   /// regression starts from least absolute deviations and reweights by Tukey's biweight.
-  /// find_outliers() later removes the wrong suspects.
+  /// find_outliers() later removes the wrong marks.
   void suspect_outliers();
   void find_outliers();
   /// Finds the size of the scatter in each joined record, because days and sensors differ. All
@@ -148,12 +150,14 @@ class NoiseSearch {
   void recall(const Memory& memory);
   /// Finds the best correlation and run share, with the other parts fixed.
   void search_memory(bool timed, bool runs);
-  /// Returns -2 ln L including the cost of memory and parts.
+  /// Returns -2 ln L plus cost(), plus worth_a_parameter if the correlation is not 0, plus
+  /// worth_a_parameter if the run share is not 0.
   [[nodiscard]] double value() const;
   /// Returns the argument `run_unit` of Whitening for these standard deviations.
   [[nodiscard]] double run_unit(const Eigen::VectorXd& std) const;
-  /// Finds the common offset of the pieces of one dwell. The offset competes with the correlation
-  /// between neighbours, so the search varies both together.
+  /// Finds the share of the offset that is common to all rows of one dwell (a dwell in which a
+  /// temperature drifts has several rows). The offset can look like the correlation between
+  /// neighbours, so the search varies both together.
   void find_states();
   /// Finds offsets of blocks of rows that are not declared as runs.
   void find_blocks();
@@ -165,9 +169,9 @@ class NoiseSearch {
   void honour_declared(double& factor);
   /// Finds noise shapes with a likelihood close to the best. The relative share and the growth are
   /// moved to both ends of the range that the readings allow. The share of the input, the
-  /// correlation and the run offsets are moved to the upper end. A shape with the other form of run
-  /// offsets is added if it is almost as likely, and a shape without memory if the readings allow
-  /// it.
+  /// correlation and the run offsets are moved to the upper end. If the other kind of run offsets
+  /// (proportional to the noise, or equal in a run) is almost as likely, a noise shape with these
+  /// offsets is added. A noise shape without memory is added if the readings allow it.
   void find_allowed();
   /// Tries stronger correlation and larger run offsets, as far as the readings allow.
   void allow_memory(double best);

@@ -18,7 +18,7 @@ class TurningBalls {
                const ContactLaw& law)
       : attitudes_of_(bearing, speed, oil, law), bearing_(&bearing), speed_(speed) {}
 
-  /// Computes the rotation of the distinct balls under the forces in `balls`, starting from the
+  /// Computes the rotation of each ball in `balls` under the forces on this ball, starting from the
   /// result of the previous call. Returns false if the solver finds no rotation for a ball;
   /// `status()` then gives the reason. `ball_scale` is a typical load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
@@ -41,7 +41,8 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// Used share of the step to the new rotations [1], reduced if forces and rotations oscillate.
+  /// Share of the step to the new rotations that turn() uses [1]. It is reduced if forces and
+  /// rotations oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };

@@ -21,7 +21,7 @@ struct ContactData {
   Inlet supply = Inlet::limited;
   double inlet_over_b = unset;          ///< m of starvation_factors() [1]; NaN: the film is flooded
   double race_roughness = 0.045 * um;   ///< roughness Rq of the race [m]
-  double ball_roughness = 0.0218 * um;  ///< Rq of the ball [m]; composite with the race: 0.05 um
+  double ball_roughness = 0.0218 * um;  ///< roughness Rq of the ball [m]
   AsperityLaw asperities;
 };
 

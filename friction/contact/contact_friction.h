@@ -222,9 +222,9 @@ struct ContactsOfBall {
 };
 
 /// Sums the friction of all loaded contacts of a bearing at the shaft speed `turning` [rad/s].
-/// `contacts(k, ball)` returns the friction at both contacts of distinct ball k. The function calls
-/// `look(k, race, friction, weight)` for each loaded contact; `weight` is the number of balls equal
-/// to ball k.
+/// `contacts(k, ball)` returns the friction at both contacts of ball k in Balls::distinct(). The
+/// function calls `look(k, race, friction, weight)` for each loaded contact of these balls;
+/// `weight` is the number of balls in the bearing that are equal to ball k.
 template <typename Contacts, typename Look>
 [[nodiscard]] BearingFriction sum_over_contacts(const bearing::BearingEquilibrium& equilibrium,
                                                 double turning, Contacts&& contacts, Look&& look) {

@@ -100,7 +100,7 @@ struct ContactResult {
 
 /// Returns the friction of a bearing, summed over its balls. Sliding, rolling and hysteresis are
 /// NaN without a converged equilibrium. If `balls` is not null, it receives the friction at the
-/// contacts of each distinct ball.
+/// contacts of each ball in Balls::distinct(), with one entry for balls that are equal by symmetry.
 [[nodiscard]] ContactResult contact_result(const BearingState<double>& state,
                                            std::span<const double> values,
                                            std::vector<BallFriction>* balls = nullptr);
@@ -110,7 +110,7 @@ struct ContactResult {
 ///   M = Z (C_D/2) ρ c (π D²/4) (ω_m d_m/2)³/ω,   C_D = 0.45
 ///
 /// ρ is `density`, the density of the oil. c is `oil_fraction`, the share of oil in the free space
-/// of the bearing.
+/// of the bearing. ω is the shaft speed, ω_m the orbital speed of the Z balls.
 /// Source:   drag of a sphere at high Reynolds number, c as in commercial programs; from memory,
 ///           not checked against a print.
 /// Domain:   speed > 0; the moment is 0 at standstill. Accuracy: a factor of 3. The drag of the

@@ -14,8 +14,8 @@ namespace raceway::friction::contact {
 ///
 /// The points are Gauss points in s from 0 to 1 and midpoints in θ from -π/2 to π/2. This choice
 /// avoids the pole at the centre and the root at the rim, where the pressure p falls to zero with
-/// infinite slope. In θ, integrals of powers of x and y with an even degree in total are exact up
-/// to degree 2 Angles - 2. In s, integrals of p r^(2 n) are exact for n up to Radial - 2.
+/// infinite slope. The sum over θ is exact for x^i y^j if i + j is even and at most 2 Angles - 2.
+/// The sum over s is exact for p r^(2 n) if n is at most Radial - 2.
 template <std::size_t Radial, std::size_t Angles>
 struct EllipsePoints {
   std::array<double, Radial> s{};       ///< s = p/p0, pressure divided by peak pressure [1]

@@ -47,7 +47,8 @@ struct Film {
                      std::pow(W, -0.073) * (1.0 - std::exp(-0.68 * ellipse_ratio))};
 }
 
-/// Thermal loading of an inlet, L = η β u²/k_f [1]: the ratio of shear heating to conduction.
+/// Thermal loading of an inlet, L = η β u²/k_f [1]: the ratio of shear heating to conduction. η, β
+/// and k_f are the viscosity, viscosity slope and conductivity of OilState; u is the surface speed.
 [[nodiscard]] inline double thermal_loading(double viscosity, double viscosity_slope, double speed,
                                             double conductivity) {
   return viscosity * viscosity_slope * speed * speed / conductivity;
@@ -60,8 +61,8 @@ struct Film {
 /// L is thermal_loading(). The slip ratio S = |u1 - u2|/u of the speeds u1 and u2 of both surfaces
 /// is zero for pure rolling.
 /// Source:   a published report on roller bearings; the original paper was not checked. Other texts
-///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), which gives a
-///           thinner film.
+///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64) with the peak
+///           pressure p, which gives a thinner film.
 /// Domain:   L >= 0, S >= 0; the share is 1 at L = 0. Accuracy: 10 % up to L = 1; the formula is
 ///           extrapolated above L = 1.
 [[nodiscard]] inline double thermal_film_factor(double loading, double slip_ratio = 0.0) {
@@ -70,7 +71,7 @@ struct Film {
   return 1.0 / (1.0 + 0.1 * slip * std::pow(loading, 0.64));
 }
 
-/// Shares of the flooded film that remain in a starved contact [1, 1].
+/// Shares of the flooded film that remain in a starved contact [1].
 ///
 ///   central  ((m - 1)/(m* - 1))^0.29,   m* = 1 + 3.06 ((R_x/b)² H_c)^0.58
 ///   minimum  ((m - 1)/(m* - 1))^0.25,   m* = 1 + 3.34 ((R_x/b)² H_min)^0.56,   H = h/R_x
@@ -78,7 +79,7 @@ struct Film {
 /// m is the distance from the contact centre to the edge of the oil, divided by b. h is the result
 /// of isothermal_film().
 /// Source:   [HamrockDowson1977, part 4], from memory; no print or program was found for a check.
-/// Domain:   m > 1. The share is 1 for m >= m*, so a film is never thicker than the flooded film.
+/// Domain:   m > 1. A share is 1 for m >= m*, so a film is never thicker than the flooded film.
 struct StarvationFactors {
   double central = 1.0, minimum = 1.0;
 };
@@ -95,7 +96,7 @@ struct StarvationFactors {
           .minimum = factor(flooded.minimum, 3.34, 0.56, 0.25)};
 }
 
-/// Composite roughness Rq of both surfaces, sqrt(s1² + s2²) [m].
+/// Composite roughness Rq from the roughness Rq of race and ball, sqrt(race² + ball²) [m].
 [[nodiscard]] inline double composite_roughness(double race, double ball) {
   return std::sqrt(race * race + ball * ball);
 }
@@ -105,7 +106,7 @@ struct StarvationFactors {
   return film.minimum / composite_roughness;
 }
 
-/// Constants B and C of asperity_share() [1, 1].
+/// Constants B and C of asperity_share() [1].
 struct AsperityLaw {
   double B = 1.8, C = 1.2;
 };

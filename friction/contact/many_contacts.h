@@ -17,8 +17,8 @@ namespace raceway::friction::contact {
 /// Memory: each thread keeps a fixed amount between calls, whatever the number of states.
 /// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. Sliding
 ///           is computed in single precision. It agrees to 2e-4 in the worst of 4000 random states,
-///           and to 1e-6 in most of these states. The torque of a 7014 at speed agrees to 5e-7.
-///           `mean_slip` agrees to 5e-4, and `holding_over_traction` agrees to 2 %.
+///           and to 1e-6 in most of these states. The torque of a bearing 7014 at speed agrees to
+///           5e-7. `mean_slip` agrees to 5e-4, and `holding_over_traction` agrees to 2 %.
 /// Throws std::invalid_argument if the numbers of states and results differ, or if the machine
 /// lacks the instructions of `set`.
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,

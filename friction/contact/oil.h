@@ -38,9 +38,9 @@ struct OilDefaults {
 ///
 /// Source:   textbook values of each type, s and t by [Gold2001]. All values are from memory and
 ///           were not checked against a print.
-/// Accuracy: density 3 %, conductivity and α 15 %, limiting traction 30 %. At contact pressures
-///           below about 1.2 GPa, the limiting traction changes the torque of a spindle bearing by
-///           less than 0.1 %.
+/// Accuracy: density 3 %, conductivity and pressure-viscosity coefficient 15 %, limiting traction
+///           30 %. At contact pressures below about 1.2 GPa, the limiting traction changes the
+///           torque of a spindle bearing by less than 0.1 %.
 [[nodiscard]] constexpr OilDefaults oil_defaults(OilType type) {
   switch (type) {
     case OilType::pao:

@@ -13,7 +13,7 @@ enum class Inlet { flooded, limited };
 /// A loaded contact for rolling_force(): its inlet and its ellipse.
 struct RollingEllipse {
   RollingInlet inlet;
-  double radius_across = unset;    ///< R_z = f D/(2 f - 1) [m]
+  double radius_across = unset;    ///< R_z, equivalent radius across rolling [m]
   double semi_major_axis = unset;  ///< a, across rolling [m]
   double semi_minor_axis = unset;  ///< b [m]
   double second_integral = unset;  ///< E(k), HertzContact::second_integral [1]

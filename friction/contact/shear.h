@@ -79,8 +79,8 @@ struct FilmShear {
   }
 };
 
-/// Dry friction, τ = μ p v/sqrt(v² + ε²): the limit of FilmShear at φ = 1. For simple slip fields,
-/// the traction of a contact has a closed form.
+/// Dry friction, τ = μ p v/sqrt(v² + ε²): the limit of FilmShear at φ = 1. Tests use this law,
+/// because it gives the traction of a contact in closed form for simple slip fields.
 struct CoulombShear {
   double friction_coefficient;  ///< μ [1]
   double small_speed;           ///< ε [m/s], > 0
@@ -98,8 +98,8 @@ struct CoulombShear {
   }
 };
 
-/// A film of constant viscosity, τ = η v/h: the limit of FilmShear at small v. For simple slip
-/// fields, the traction of a contact has a closed form.
+/// A film of constant viscosity, τ = η v/h: the limit of FilmShear at small v. Tests use this law,
+/// because it gives the traction of a contact in closed form for simple slip fields.
 struct NewtonShear {
   double viscosity;  ///< η [Pa s]
   double film;       ///< film thickness h [m]

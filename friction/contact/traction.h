@@ -55,8 +55,8 @@ struct TractionSums {
 ///           [Harris2006, vol. 2, ch. 5], and pure differential sliding gives the power 0.1611 μ Q
 ///           ω_roll a²/(2 R).
 /// Domain:   Q > 0; the ellipse is small compared with the radii of ball and groove.
-/// Accuracy: with 16 x 32 points of the whole ellipse, the power is accurate to 0.03 %; with dry
-///           friction, to 0.2 %.
+/// Accuracy: with 16 x 32 points of the whole ellipse, the power is accurate to 0.03 % with a film
+///           and to 0.2 % with dry friction.
 template <class Shear, std::size_t Radial, std::size_t Angles>
 class TractionField {
  public:

@@ -49,7 +49,8 @@ class TurningBall {
   ///   v_i = (ω - ω_m) ρ_i - (D/2)(A cos αi + B sin αi),   ρ_i = (d_m - D cos αi)/2
   ///   v_o = ω_m ρ_o - (D/2)(A cos αo + B sin αo),         ρ_o = (d_m + D cos αo)/2
   ///
-  /// A, B and w_T are the components of the ball rotation as in BallAttitude.
+  /// A, B and w_T are the components `along`, `across` and `orbital` of the ball rotation, as in
+  /// BallAttitude.
   struct Speeds {
     double along, across, orbital, cage;  // A, B, w_T, ω_m
   };
@@ -145,7 +146,8 @@ class TurningBall {
     return (speed_ - cage) * inner_radius_;
   }
   [[nodiscard]] double outer_surface_speed(double cage) const { return cage * outer_radius_; }
-  /// Slips of a ball that rolls without gyroscopic creep. `pitch` is tan β of its axis.
+  /// Slips of a ball that rolls without gyroscopic creep. `pitch` is tan β of its
+  /// rotation axis.
   [[nodiscard]] Slips rolling(double pitch) const {
     const double across =
         pitch * rolling_cage_speed(pitch) * outer_radius_ / (half_ * (co_ + pitch * so_));
@@ -172,12 +174,13 @@ class TurningBall {
     const double a = contact.ellipse().semi_major_axis;
     return -0.2 * motion.rolling * a * a / (2.0 * contact.pressed_radius());
   }
-  /// ∂ω_m/∂q.
+  /// Derivatives of the orbital speed ω_m with respect to the slips q.
   [[nodiscard]] std::array<double, 4> cage_slope() const {
     return {-co_ * per_sum_, ci_ * per_sum_, 0.0,
             half_ * (ci_ * so_ - co_ * si_) * per_sum_ / length_};
   }
-  /// ∂(motion of contact c)/∂q.
+  /// Computes the derivatives of the SlipMotion of each contact (0: inner, 1: outer) with respect
+  /// to the slips q.
   void arms(double (&arm)[2][4][4]) const {
     const std::array<double, 4> cage = cage_slope();
     const std::array<double, 4> along{

@@ -24,7 +24,7 @@ using Data = std::shared_ptr<session::Source>;
 /// Columns by name, in the units of files.
 using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
 
-/// Result in the form that Python shows.
+/// Result of a call, in the forms that Python needs: JSON, page, CSV, columns and notes.
 struct EngineAnswer {
   std::string json{};
   std::function<std::string()> page{};

@@ -27,7 +27,7 @@ class EngineCorrection final : public EngineFile {
   /// Returns the parameters of all displacements. If there are several displacements, each name
   /// begins with the name of its displacement.
   [[nodiscard]] std::vector<record::Parameter> parameters() const override;
-  /// Returns the columns that a record needs.
+  /// Returns the columns that a record needs for these corrections.
   [[nodiscard]] py::list inputs() const;
   /// Returns the trust line of each displacement, such as "good", by column name.
   [[nodiscard]] py::dict trust() const;

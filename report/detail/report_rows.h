@@ -12,9 +12,9 @@
 
 namespace raceway::report {
 
-/// Rows of a record as columns of a report page: inputs, readings of one channel, their standard
-/// deviations, and predictions. Column names end with the unit. Readings are in the unit of the
-/// channel.
+/// Table of record rows on a report page. The columns are the inputs, the readings of one channel,
+/// the standard deviations of the readings, and predictions. Column names end with the unit.
+/// Readings are in the unit of the channel.
 class ReportRows {
  public:
   /// `rows` contains the indices of the rows on the page, in increasing order.
@@ -32,9 +32,8 @@ class ReportRows {
   std::string add_readings(const std::string& name, std::vector<double> values);
   /// Adds a column with the standard deviation of each reading [SI]; NaN means unknown.
   void add_std(std::vector<double> std);
-  /// Adds the predictions of a model as the next column `predicted_0_UNIT`, `predicted_1_UNIT`,
-  /// ..., its RMS error, and a map of its errors over the inputs. Call this function after
-  /// add_std().
+  /// Adds a model: its predictions as the next column `predicted_0_UNIT`, `predicted_1_UNIT`, ...;
+  /// its RMS error; and a map of its errors over the inputs. Call this function after add_std().
   void add_model(const std::string& name, const verdict::Comparison& comparison);
 
   void finish(Document& document) const;

@@ -11,7 +11,7 @@ struct CurveFit {
   Eigen::MatrixXd columns{};       ///< (x/scale)^k
   Eigen::VectorXd coefficients{};  ///< coefficients c_k of the scaled powers
   Eigen::VectorXd residuals{};     ///< reading minus polynomial
-  Eigen::VectorXd free{};          ///< 1 minus the leverage of each reading, above 0
+  Eigen::VectorXd free{};          ///< 1 minus the leverage of each reading, at least 1e-6
   Eigen::MatrixXd inverse{};       ///< (XᵀX)⁻¹ with X = `columns`
   double square = 0.0;             ///< sum of squares of the residuals
 

@@ -27,21 +27,22 @@ struct ReleaseOptions {
 ///
 /// The release is a kink of ω(t). Friction of a free shaft depends on its speed, so dω/dt does not
 /// jump, but the torque of a drive ends abruptly. At every sample, two least-squares models are
-/// compared. Both models use a window around this sample, in which the speed changes by at most
-/// `largest_fall`. Several window lengths are tried. A window has at least 4 samples before this
-/// sample, as far as there are any, and at least `fewest` samples after it:
+/// compared. Both models use a window around this sample, in which the speed differs from the speed
+/// of this sample by at most the share `largest_fall`. Several window lengths are tried. A window
+/// has at least `fewest` samples after this sample, and at least 4 samples before it (fewer only if
+/// it is one of the first four samples):
 ///
 ///   released   a line before, a separate parabola after: 5 parameters
 ///   free       one polynomial of degree five: 6 parameters
 ///
 /// The sample is a release under two conditions. The sum of squares of the model `released` is
-/// smaller by more than 40 times the variance of a sample. The slope before the sample is, within
-/// two standard deviations, at most a tenth of the slope after the sample. The variance is
-/// estimated in the part of the run in which the shaft certainly coasts. It is multiplied by (1 +
-/// r)/(1 - r) if neighbouring samples have the correlation r. If the model `released` has a larger
-/// residual, for example because the speed control of the drive oscillates, the variance of this
-/// residual is used. The search is repeated on the remaining samples, so run-up and plateau may
-/// have any shape.
+/// smaller by more than 40 times the variance of a sample. Before the sample, the speed rises, or
+/// falls at most a tenth as fast as after the sample, within two standard deviations. The variance
+/// is estimated in the part of the run in which the shaft certainly coasts. If neighbouring samples
+/// have the correlation r, the variance is multiplied by (1 + r)/(1 - r). If the model `released`
+/// has a larger residual, for example because the speed control of the drive oscillates, the
+/// variance of this residual is used. The search is repeated on the remaining samples, so run-up
+/// and plateau may have any shape.
 ///
 /// Domain:   a fall that begins slowly is not treated as a plateau, because it has no kink. The
 ///           function finds a release only at a speed within `largest_fall` of the highest speed. A

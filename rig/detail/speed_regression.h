@@ -36,7 +36,8 @@ struct LocalParabola {
   Eigen::MatrixXd residual_maker;  // residual = residual_maker · speeds [1]
 };
 
-/// Noise of one run: standard deviation and first-order autocorrelation of the speed samples.
+/// Noise of one run: standard deviation [rad/s] and first-order autocorrelation [1] of the speed
+/// samples.
 struct SpeedNoise {
   double std;
   double correlation;
@@ -54,8 +55,8 @@ struct SpeedNoise {
 [[nodiscard]] std::vector<Block> averaged(std::span<const Block> samples, std::size_t length);
 
 /// Divides the samples at gaps longer than `limit` usual sampling intervals. The interval may
-/// change slowly (samples per revolution), so each interval is compared with neighbouring
-/// intervals.
+/// change slowly, for example with a fixed number of samples per revolution. Each interval is
+/// therefore compared with neighbouring intervals.
 [[nodiscard]] std::vector<std::span<const Block>> segments(std::span<const Block> samples,
                                                            double limit);
 

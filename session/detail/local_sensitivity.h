@@ -26,7 +26,7 @@ void take_spreads(const model::Model& model, const SensitivityQuestion& q, Data&
                                                  results::Sensitivity& s);
 
 /// Lists the data that affect a prediction, the data without an effect, and the data that can be
-/// sampled. Returns the index in `data` of each entry of s.data.
+/// sampled for the Sobol' indices. Returns the index in `data` of each entry of s.data.
 [[nodiscard]] std::vector<std::size_t> take_what_enters(const Data& data,
                                                         const std::vector<Around>& around,
                                                         const std::vector<double>& here,

@@ -87,13 +87,15 @@ class Data {
   [[nodiscard]] const std::vector<results::VariedDatum>& all() const { return all_; }
   [[nodiscard]] std::vector<results::VariedDatum>& all() { return all_; }
 
-  /// Returns the index of a datum. A datum of the question has priority over a datum of the model.
+  /// Returns the index of a datum. If the question and the model have a datum of this name, returns
+  /// the index of the datum of the question.
   [[nodiscard]] std::size_t find(const std::string& name) const;
 
   /// Returns true if the question names this datum, or if it names no data.
   [[nodiscard]] bool is_asked(std::size_t k) const;
 
-  /// Throws fit::Cancelled if the user cancels the calculation.
+  /// Returns the predictions with changed data. Each change consists of the index of a datum and
+  /// its new value. Throws fit::Cancelled if the user cancels the calculation.
   [[nodiscard]] Outcome predict(const Predictor& predictor,
                                 std::span<const std::pair<std::size_t, double>> changes) const;
 

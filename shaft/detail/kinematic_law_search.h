@@ -40,7 +40,8 @@ struct LawOptimum {
 [[nodiscard]] LawOptimum nearest_optimum(const LawRows& rows, const LawRange& range,
                                          const LawShape& start);
 
-/// Returns the best of the optima that descents reach from all minima of a grid of B and C.
+/// Returns the best of the optima that descents reach. The descents start from all minima of the
+/// cost on a grid of B and C.
 [[nodiscard]] LawOptimum best_optimum(const LawRows& rows, const LawRange& range);
 
 /// Returns the bound at which a value lies, if any.

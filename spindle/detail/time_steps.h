@@ -21,8 +21,8 @@ class Programme {
     return row == 0 ? start_ : rows_[row - 1].time;
   }
   /// Returns the index of the first row after `row` at which the inputs jump; the number of rows if
-  /// there is no such row. A jump is a change of speed, loads, motor heat or coolant flow, or of a
-  /// temperature by more than 0.5 K.
+  /// there is no such row. A jump is a change of speed, loads or motor heat, coolant switched on or
+  /// off, or a change of ambient, machine or coolant inlet temperature by more than 0.5 K.
   [[nodiscard]] std::size_t jump_after(std::size_t row) const;
   /// Returns the inputs of a step between two times [s]. Ambient, machine and coolant temperatures
   /// are averaged over the step. `row` is the row whose inputs apply at the time `from`.
@@ -40,8 +40,8 @@ class StepSizes {
   static constexpr double longest_unless_given = 600.0;
 
   /// `longest` is the longest step [s]. `tolerance` is the allowed temperature error of a step [K].
-  /// `given` contains the end times of all steps [s]; if it is empty, the step sizes follow the
-  /// error.
+  /// `given` contains the end times of all steps [s]; if it is empty, the estimated error
+  /// determines the step sizes.
   StepSizes(double longest, double tolerance, std::span<const double> given)
       : longest_(longest), tolerance_(tolerance), given_(given) {}
 
@@ -50,7 +50,8 @@ class StepSizes {
   [[nodiscard]] bool too_short() const { return next_ < shortest; }
   [[nodiscard]] bool held() const { return !given_.empty(); }
   /// Returns the size of the step that starts at `time` [s]. The step never ends after `end`. If
-  /// less than one step size would remain after the step, the step is half of the time until `end`.
+  /// no end times are given, and one step does not reach `end` but two steps would pass it, the
+  /// step is half of the time until `end`.
   [[nodiscard]] double take(double time, double end);
   /// Chooses the next step size from the size `dt` [s] and the error [K] of a step. Returns false
   /// if the step must be repeated with a smaller size.

@@ -20,13 +20,16 @@ class Investigation {
 
   /// Finds the effects that the data can show, and the error of the refitted model.
   void look();
-  /// Returns true if the error of the refitted model exceeds the noise or the tolerance.
+  /// Returns true if the gate gives an alarm (Gate::alarm()) and, if a tolerance is given, the
+  /// error of the refitted model exceeds the tolerance. Also returns true if the readings change
+  /// mainly from run to run (HiddenInput).
   [[nodiscard]] bool is_anything_missing() const;
   /// Finds effects that explain the misfit.
   void attribute();
   /// Checks the explanation on held-out rows, and checks whether the sizes are plausible.
   void confirm();
-  /// Compares other base models if no candidate explains the misfit.
+  /// Compares other base models if no candidate explains the misfit, or if one candidate fits only
+  /// with another law or an implausible size.
   void try_other_bases();
   /// Proposes measurements if the data cannot decide.
   void propose();

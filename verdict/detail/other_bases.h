@@ -20,11 +20,12 @@ struct CalibratedBase {
 
 [[nodiscard]] CalibratedBase calibrate_other_base(const Evidence& evidence, fit::OtherBase base);
 
-/// Calibrates all other base models of the subject. They are sorted by gain, largest first. Models
-/// that cannot be tested come last.
+/// Calibrates all other base models (Subject::other_bases()). Laws with fitted exponents
+/// (OtherBase::fitted_form) follow all other laws. Each of these two groups is sorted by gain,
+/// largest first, and models that cannot be tested come last in their group.
 [[nodiscard]] std::vector<CalibratedBase> calibrate_other_bases(const Evidence& evidence);
 
-/// Returns the subject with this base model and the calibrated values.
+/// Returns the model with this base law and the calibrated values.
 [[nodiscard]] std::shared_ptr<const fit::Subject> fitted_subject(const CalibratedBase& found);
 
 }  // namespace raceway::verdict

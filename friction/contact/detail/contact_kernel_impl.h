@@ -14,8 +14,9 @@ struct KernelPoints {
   float y[most_kernel_rings][most_kernel_angles], x[most_kernel_rings][most_kernel_angles];
 };
 
-/// Intermediate values of a block: input of the sliding solution after the film computation. Speeds
-/// are in units of `unit_speed`, stresses in units of Eyring's stress, and lengths in units of a.
+/// Intermediate values of a block: results of roll_in(), which are the inputs of slide_in(), and
+/// results of slide_in(). Speeds are in units of `unit_speed`, stresses in units of Eyring's
+/// stress, and lengths in units of a.
 struct KernelSliding {
   alignas(64) double unit_speed[contacts_of_block], pull[contacts_of_block],
       press[contacts_of_block];

@@ -7,9 +7,10 @@ namespace raceway::friction::contact {
 // Interface of film_traction.cpp to traction_pass_*.cpp, which contain the same code compiled for
 // each instruction set.
 
-/// Points of the unit circle in rows of sixteen for vectorization. If the ball spins, a row has the
-/// angles of one ring. If it does not spin, a row has the rings at one angle, and the points at y <
-/// 0 mirror the points at y > 0.
+/// Points of the unit circle in rows of sixteen for vectorization. If the ball spins, a row
+/// contains the points of one ring at sixteen angles. If it does not spin, a row contains the
+/// points of sixteen rings at one angle. Then only points at y > 0 are stored, because their mirror
+/// images at y < 0 have the same slip.
 inline constexpr std::size_t side_by_side = 16;
 inline constexpr std::size_t most_rings = 16;
 
@@ -30,8 +31,9 @@ struct RingStresses {
   alignas(64) Real steepness[most_rings], limit[most_rings], boundary[most_rings];
 };
 
-/// Inputs of FilmShear::at_pressure() for all rings: constants of Roelands' viscosity, and values
-/// at the peak pressure, which `s` scales.
+/// Inputs for the shear law of all rings, as in FilmShear::at_pressure(): constants of Roelands'
+/// viscosity, and values at the peak pressure. For each ring, `pressure`, `limit` and `boundary`
+/// are multiplied by its s.
 struct RingPressures {
   double logarithm, exponent, pressure, newton, glass, limit, boundary;
 };

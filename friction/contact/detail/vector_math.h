@@ -61,7 +61,8 @@ template <class V>
           .mantissa = xsimd::select(upper, m * Real(0.5), m)};
 }
 
-/// 2 atanh(s), |s| <= 0.172, to 1e-15 relative in double, 1e-7 in single precision.
+/// Returns 2 atanh(s) for |s| <= 0.172. The relative error is 1e-15 in double precision and 1e-7 in
+/// single precision.
 template <class V>
 [[gnu::always_inline]] inline V twice_area_tangent(const V& s) {
   const V q = s * s;
@@ -90,7 +91,7 @@ template <class V>
   return at.exponent * Real(ln_2) + twice_area_tangent(above / below);
 }
 
-/// ln(1 + t), t >= 0.
+/// Returns ln(1 + t) for t >= 0.
 template <class V>
 [[gnu::always_inline]] inline V log_one_plus(const V& t) {
   const V sum = t + 1.0;
@@ -101,7 +102,7 @@ template <class V>
   return at.exponent * ln_2 + twice_area_tangent(above / below);
 }
 
-/// e^x, x from -700 to 700, to 1e-15 relative.
+/// Returns e^x for x from -700 to 700, with a relative error of 1e-15.
 template <class V>
 [[gnu::always_inline]] inline V exponential(const V& x) {
   using Bits = xsimd::as_unsigned_integer_t<V>;
@@ -120,7 +121,7 @@ template <class V>
   return series * xsimd::bitwise_cast<V>(power);
 }
 
-/// ln(x), x > 0 and not denormal, to 1e-15 absolute.
+/// Returns ln(x) for a normal number x > 0, with an absolute error of 1e-15.
 template <class V>
 [[gnu::always_inline]] inline V logarithm(const V& x) {
   const Split<V> at = split(x);
