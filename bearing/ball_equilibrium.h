@@ -62,7 +62,7 @@ struct BallForcesOf {
 ///   n = (sin α, cos α),  t = (cos α, -sin α),   sin αo = X1/|X|,  sin αi = V1/|V|
 ///   Q = K δ^1.5,  δo = |X| - (f_o - 0.5) D,  δi = |V| - (f_i - 0.5) D
 ///   imbalance   r = Qi ni + Ti ti + (0, Fc) - Qo no - To to = 0
-///   force on the ring   f = Qi ni + Ti ti
+///   carried ring load   f = Qi ni + Ti ti
 ///   moment / R_i        f_m = f_axial - (f_i D / R_i) Ti   (Ti acts at the groove surface)
 ///
 /// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. ω_m, ω_R and β are as in BallSpeeds, ω is the

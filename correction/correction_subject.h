@@ -27,8 +27,8 @@ class CorrectionSubject : public fit::Subject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
   /// Returns the subject prepared for a fit to this record: with limits for the time constants, the
-  /// list of input columns that vary, and a fitted zero for each run. The input ranges, covariance,
-  /// residual and held-out error of an earlier fit are removed.
+  /// list of input columns that vary, and a zero offset for each run, which the fit determines. The
+  /// input ranges, covariance, residual and held-out error of an earlier fit are removed.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
   /// Copies the input ranges of `model`, which informed_by() removes. Call this function to apply

@@ -17,8 +17,9 @@ namespace raceway::correction {
 ///           rest. With that formula, u would jump when x changes. The equation above has the same
 ///           step response, and u is continuous.
 /// Units:    displacement u [m], K [m], T [s], x in the unit of its column: W, N.
-/// Domain:   T is positive. A power must be x >= 0; the published lines need x < 214.7 W. A
-///           load may be negative, unless K or T is a power law.
+/// Domain:   T is positive. If x is a power, it must not be negative, and with the published
+///           lines it must be below 214.7 W. If x is a load, it may be negative, unless K or T is
+///           a power law.
 /// Traps:    the published K is a line with K(0) = 10.36 um, although no heat is produced at x = 0.
 ///           Here K(0) = 0, so a spindle at standstill returns to its rest position with the time
 ///           constant T(0).

@@ -28,8 +28,9 @@ namespace raceway::effects {
 /// and c = 1 is a constant force. The mounted preload force always remains the value of the model.
 ///
 /// Source:   springs in series, derived.
-/// Domain:   0 <= c <= 1, sets at both ends. Values between 0 and 1 describe flexible housings, and
-///           springs whose force depends on their length. c = 1 means that the wrong mounting was
+/// Domain:   0 <= c <= 1, sets at both ends. With c between 0 and 1, the housing is flexible, or
+/// the
+///           force of a spring depends on its length. With c = 1, the wrong mounting was
 ///           entered.
 struct OtherMounting {
   static constexpr std::string_view id = "mounting";

@@ -68,7 +68,8 @@ struct Key {
 
 /// Keys that one part of the program reads from one table of a model file.
 struct KeyTable {
-  /// Name such as "bearing" or "correction.channel". The user replaces a part in capitals.
+  /// Name such as "bearing" or "correction.channel". A part in capitals is a placeholder for a name
+  /// that the user chooses.
   std::string_view name;
   std::span<const Key> keys;
   std::string_view only{};  ///< restriction to some models: "of a spindle", "law skf"; "" if none

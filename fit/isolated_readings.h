@@ -15,8 +15,8 @@ struct Isolation {
   /// True: jumps of more than 6 standard deviations while speed and loads are steady are removed
   /// too.
   bool steady = true;
-  /// Distance from both neighbours that is impossible at any speed, divided by the range of the
-  /// readings [1].
+  /// Distance of a reading from both neighbours that no change of speed can explain, divided by the
+  /// range of the other readings, without the extreme hundredth at either end [1].
   double impossible = 3.0;
 };
 

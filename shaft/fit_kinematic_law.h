@@ -78,10 +78,10 @@ struct KinematicLawFit {
 /// Fits the law to a curve by variable projection. The fit minimises Σ (u(n) - u_measured)² / std².
 /// The weights are equal unless every row has a `std`.
 ///
-/// The law is linear in A, which is eliminated. For each C of a grid, the best B is found on a grid
-/// and then to full accuracy. From each minimum of the resulting misfit over C, the solver Ceres
-/// optimises all three parameters. The result with the smallest misfit is used. The fit therefore
-/// needs no start value.
+/// The law is linear in A, so the search over B and C finds A by linear least squares. For each C
+/// of a grid, the best B is found on a grid and then to full accuracy. From each minimum of the
+/// resulting misfit over C, the solver Ceres optimises all three parameters. The result with the
+/// smallest misfit is used. The fit therefore needs no start value.
 ///
 /// The standard errors come from the linearised problem. Without `std`, the misfit determines the
 /// scale of the standard errors. With `std`, the standard errors are increased if the reduced

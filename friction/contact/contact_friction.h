@@ -56,8 +56,9 @@ struct RaceFriction {
   /// Returns the friction of one contact with the load Q > 0 [N]. The film is computed at the
   /// surface speed of `motion` times the factor `film_speed` [1]. The factor 0 means standstill:
   /// asperities carry the whole load, there is no rolling resistance, and power divided by shaft
-  /// speed is the limit for slow rotation. At contact angles above a right angle, the ball rolls in
-  /// the opposite direction, with equal resistance. `centre` is described at film_traction().
+  /// speed is the friction moment in the limit of zero speed. At contact angles above a right
+  /// angle, the ball rolls in the opposite direction, with equal resistance. `centre` is described
+  /// at film_traction().
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
