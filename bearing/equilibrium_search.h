@@ -24,8 +24,8 @@ namespace raceway::bearing {
 /// the displacement, and these steps find every equilibrium that is known to exist. Under inner
 /// control the gyroscopic couple vanishes with the contact, so an equilibrium may exist only for
 /// one combination of lost contacts. Steps 2 and 6 try the likely combinations of lost contacts,
-/// and step 7 tries the combinations that occur on a grid of ring positions. The search misses about
-/// 0.02 % of the existing equilibria (docs/solver.md).
+/// and step 7 tries the combinations that occur on a grid of ring positions. The search misses
+/// about 0.02 % of the existing equilibria (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 
