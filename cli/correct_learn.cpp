@@ -48,7 +48,7 @@ void print_errors(const std::vector<results::Learnt>& list) {
       "\nRMS errors of three predictions at the readings that were not used for learning. first "
       "zero: model\nwithout learning, set to the first used reading of each run. last zero: model "
       "without learning, set\nto the latest used reading. learning: model with learning. due in: "
-      "time until the next reading is\nneeded\n");
+      "time until\nthe next reading is needed\n");
 }
 
 /// Gains, and those lags that stand out.

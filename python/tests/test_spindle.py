@@ -194,9 +194,7 @@ def test_modes_and_shapes_are_those_of_the_command(small, driven, document, csv,
     of_warm = driven.modes([4000, 8000], warm=True, coolant=False, count=3)
     assert of_warm.data == document(*warm)
     pd.testing.assert_frame_equal(of_warm.shapes(), frame_of(run(*warm, "--shapes", "-")), check_exact=True)
-    assert found.notes == [
-        "the model does not include damping, so damping_ratio is empty; the model does not include the deflection of the housing"
-    ]
+    assert found.notes == ["the model does not include damping, so damping_ratio is empty; the model does not include the deflection of the housing"]
     ax = plot.campbell(found)
     assert list(ax.lines[0].get_xdata()) == [0, 5000, 10000]
     shaken = ("modes", SMALL, "--speed", "5000,10000", "--damping", "0.02", "--unbalance", "5", "--unbalance-at", "20")

@@ -149,7 +149,8 @@ TEST(Calibrate, WritesNothingWhereItCannotFit) {
                    message);
     EXPECT_FALSE(std::filesystem::exists(out));
   };
-  refused("speed_rpm,axial_load_N,friction_torque_Nmm\n1000,100,92\n", "number of free parameters: 2");
+  refused("speed_rpm,axial_load_N,friction_torque_Nmm\n1000,100,92\n",
+          "number of free parameters: 2");
   refused("speed_rpm,axial_load_N,axial_displacement_um\n1,100,1\n2,100,2\n3,100,3\n",
           "has axial displacement, which needs a model with an [arrangement]");
 }
