@@ -188,6 +188,12 @@ LowerRoot::LowerRoot(const MatrixXd& A) : llt_(std::make_shared<const Eigen::LLT
 
 VectorXd LowerRoot::solve_root(const VectorXd& b) const { return llt_->matrixL().solve(b); }
 
+VectorXd LowerRoot::solve(const VectorXd& b) const { return llt_->solve(b); }
+
+MatrixXd LowerRoot::inverse() const {
+  return llt_->matrixL().solve(MatrixXd::Identity(llt_->rows(), llt_->cols()));
+}
+
 double LowerRoot::log_determinant() const {
   return 2.0 * llt_->matrixLLT().diagonal().array().log().sum();
 }

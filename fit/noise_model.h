@@ -80,6 +80,7 @@ struct NoiseOptions {
   bool absolute = true;
   bool outliers = true;
   bool growth = true;
+  bool alternatives = true;  ///< false: NoiseModel::allowed is not searched and stays empty
 };
 
 /// Readings of one channel, prepared for the estimate of their noise.

@@ -54,20 +54,16 @@ RestrictedFit::RestrictedFit(const Whitening& whitening, const Eigen::MatrixXd& 
                              const Eigen::VectorXd& deviation)
     : x_(whitening(columns)),
       y_(whitening(deviation)),
-      gram_(gram_of(x_)),
+      root_(gram_of(x_)),
       projected_(x_.transpose() * y_) {
-  const algebra::LowerRoot root(gram_);
-  square_ = y_.squaredNorm() - root.solve_root(projected_).squaredNorm();
-  misfit_ = freedom() * std::log(square_) + whitening.log_determinant() + root.log_determinant();
+  square_ = y_.squaredNorm() - root_.solve_root(projected_).squaredNorm();
+  misfit_ = freedom() * std::log(square_) + whitening.log_determinant() + root_.log_determinant();
 }
 
-Eigen::VectorXd RestrictedFit::residual() const {
-  const Eigen::MatrixXd root = algebra::inverse_lower_root(gram_);
-  return y_ - x_ * (root.transpose() * (root * projected_));
-}
+Eigen::VectorXd RestrictedFit::residual() const { return y_ - x_ * root_.solve(projected_); }
 
 Eigen::VectorXd RestrictedFit::leverage() const {
-  return (x_ * algebra::inverse_lower_root(gram_).transpose()).rowwise().squaredNorm();
+  return (x_ * root_.inverse().transpose()).rowwise().squaredNorm();
 }
 
 NoiseSearch::Regression NoiseSearch::regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
@@ -143,7 +139,7 @@ NoiseModel NoiseSearch::run() {
   if (order_.has_states && options_.runs) find_states();
   if (!order_.has_runs && !order_.new_block.empty()) find_blocks();
   set_scale();
-  find_allowed();
+  if (options_.alternatives) find_allowed();
   // Pieces of one dwell tell little more of what states scatter by than one of them.
   if (noise_.state_share > 0.0) {
     const auto states = std::count(order_.new_state.begin(), order_.new_state.end(), true);

@@ -453,7 +453,9 @@ bool estimate_again(const Evidence& evidence, std::size_t channel, fit::NoiseMod
 }  // namespace
 
 Evidence gather_evidence(const fit::Subject& subject, const record::Record& record,
-                         const EvidenceOptions& options) {
+                         const EvidenceOptions& given) {
+  EvidenceOptions options = given;
+  options.noise.alternatives = options.noise.alternatives && options.screened;
   subject.require(record);
   Evidence evidence = look_at(subject, record, options);
   const Eigen::VectorXd values = first_values(evidence);

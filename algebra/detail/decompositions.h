@@ -148,6 +148,10 @@ class LowerRoot {
 
   /// Returns L⁻¹ b. b: n.
   [[nodiscard]] Eigen::VectorXd solve_root(const Eigen::VectorXd& b) const;
+  /// Returns A⁻¹ b. b: n.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// Returns L⁻¹: n × n, lower triangular.
+  [[nodiscard]] Eigen::MatrixXd inverse() const;
   /// Returns ln det A. The result is meaningless if A is not positive definite.
   [[nodiscard]] double log_determinant() const;
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "algebra/detail/decompositions.h"
 #include "fit/noise_model.h"
 
 /// Search for the most likely noise model: estimate_noise_model().
@@ -33,7 +34,7 @@ class RestrictedFit {
  private:
   Eigen::MatrixXd x_;
   Eigen::VectorXd y_;
-  Eigen::MatrixXd gram_;       // lower triangle of XᵀX
+  algebra::LowerRoot root_;    // of XᵀX
   Eigen::VectorXd projected_;  // Xᵀy
   double square_, misfit_;
 };

@@ -130,6 +130,8 @@ TEST(Decompositions, LowerRootOfAMatrixWorkedByHand) {
   EXPECT_LT(distance(inverse_lower_root(A), MatrixXd{{0.5, 0.0}, {-0.25, 0.5}}), rounding);
   EXPECT_LT(distance(LowerRoot(A).solve_root(VectorXd{{2.0, 5.0}}), VectorXd{{1.0, 2.0}}),
             rounding);
+  EXPECT_LT(distance(LowerRoot(A).solve(VectorXd{{8.0, 12.0}}), VectorXd{{1.0, 2.0}}), rounding);
+  EXPECT_LT(distance(LowerRoot(A).inverse(), MatrixXd{{0.5, 0.0}, {-0.25, 0.5}}), rounding);
   EXPECT_NEAR(LowerRoot(A).log_determinant(), std::log(16.0), rounding);
   EXPECT_NEAR(LowerRoot(hilbert()).log_determinant(), -std::log(2160.0), 1e-12);
 }
