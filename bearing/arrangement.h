@@ -14,7 +14,8 @@ namespace raceway::bearing {
 ///
 ///   back_to_back   O: front bearings push the shaft towards the tool, rear bearings away from it
 ///   face_to_face   X: front bearings push the shaft away from the tool, rear bearings towards it
-///   tandem         all bearings are in one set, which pushes towards the tool against a spring
+///   tandem         all bearings are in one set, which pushes the shaft towards the tool against
+///                  a spring
 enum class Layout { back_to_back, face_to_face, tandem };
 
 /// Support of the outer rings of the rear set: fixed in the housing, or pushed by a preload spring.
@@ -53,9 +54,9 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
-  /// Share of the other kind of mounting in the support of the rear set, from 0 to 1 [1]: of a
-  /// rigid mounting if `mounting` is `spring`, and of a spring of constant force if `mounting` is
-  /// `rigid`. Must be 0 in tandem. See Arrangement::Seat.
+  /// Share of the other kind of mounting in the support of the rear set, from 0 to 1 [1]. The other
+  /// kind is a rigid mounting if `mounting` is `spring`, and a spring of constant force if
+  /// `mounting` is `rigid`. The share must be 0 in tandem. See Arrangement::Seat.
   double other_mounting = 0.0;
   /// Axial stiffness of the shaft between the sets, in series with the sets [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
@@ -108,8 +109,9 @@ class Arrangement {
   [[nodiscard]] double displacement(Side side) const {
     return side == Side::front ? front_displacement_ : rear_displacement_;
   }
-  /// Support of the rear set, as the relation `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r
-  /// - δ_r0)).
+  /// Support of the rear set, described by the relation
+  ///
+  ///   softness (F_r - F_0) = hardness (d (x - e) - (δ_r - δ_r0))
   ///
   /// Without a share m of the other mounting, (softness, hardness) is (c [m/N], 1) for a rigid
   /// mounting and (1, k [N/m]) for a spring. With m = ArrangementDesign::other_mounting > 0, the

@@ -74,10 +74,12 @@ struct BearingInSet {
   [[nodiscard]] bool below_minimum() const { return axial_load < minimum_load; }
 };
 
-/// Shaft position at equilibrium of the sets. If the solve did not converge, only `report` is set.
+/// Results for a shaft in equilibrium on its bearing sets. If the solve did not converge, only
+/// `report` is set.
 struct ArrangementEquilibrium {
   double position = unset;  ///< shaft position x, zero as mounted, positive towards the tool [m]
-  /// Axial forces, summed over each side [N]. In tandem, `rear_force` is the spring force.
+  /// Axial forces of the bearings, summed over each side [N]. In tandem, `rear_force` is the spring
+  /// force.
   double front_force = unset, rear_force = unset;
   double rear_displacement = unset;  ///< δ_r, axial compression of the rear set [m]
   double axial_stiffness = unset;    ///< tangent stiffness of the shaft under external load [N/m]

@@ -28,7 +28,7 @@ struct BallConstantsOf {
   T inner_stiffness;   ///< K_i [N/m^1.5]
   T outer_stiffness;   ///< K_o [N/m^1.5]
   T diameter_ratio;    ///< g = D/d_m [1]
-  T full_centrifugal;  ///< C = m d_m ω²/2: centrifugal force of a ball that orbits at ω [N]
+  T full_centrifugal;  ///< C = m_ball d_m ω²/2: centrifugal force of a ball orbiting at ω [N]
   T gyroscopic;        ///< 1 with the gyroscopic moment, 0 without it [1]
 };
 
@@ -39,7 +39,7 @@ struct BallConstants : BallConstantsOf<double> {
 /// Source of a ball's rotation: race control, or values given by the caller.
 enum class Rotation { outer_control, inner_control, given };
 
-/// Centrifugal force of a ball that orbits at the shaft speed ω, C = m d_m ω²/2 [N].
+/// Centrifugal force of a ball that orbits at the shaft speed ω, C = m_ball d_m ω²/2 [N].
 [[nodiscard]] double full_centrifugal(const Bearing& bearing, double speed);
 [[nodiscard]] BallConstants ball_constants(const Bearing& bearing, double speed,
                                            RaceControl race_control, bool gyroscopic_moment);
@@ -71,11 +71,11 @@ struct BallForcesOf {
 /// at the outer race (λo = 2): To = 0.4 Fc sin αo and Ti = 0.
 ///
 /// Under inner control the friction is equal at both races (λi = λo = 1): Ti = To = 0.2 C m (1 - m)
-/// sin αi. (The product ω_R sin β is a rational function of sines and cosines.) Sign: M_g > 0
-/// lowers αo. Equations (14) and (18) of [CaseStudy], taken together, have the wrong sign. A ball
-/// without inner contact (δi <= 0) is under outer control and exerts no force on the inner ring.
-/// Under inner control the forces jump when the contact is lost, so some loads have no equilibrium.
-/// For a given rotation, m, Ti and To follow from GivenRotation.
+/// sin αi. (The product ω_R sin β is a rational function of sines and cosines of the contact
+/// angles.) A positive M_g reduces αo; equations (14) and (18) of [CaseStudy], taken together, give
+/// the opposite sign. A ball without inner contact (δi <= 0) is under outer control and exerts no
+/// force on the inner ring. Under inner control the forces jump when the contact is lost, so some
+/// loads have no equilibrium. For a given rotation, m, Ti and To follow from GivenRotation.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -369,7 +369,7 @@ template <typename T>
 struct StaticBallOf {
   PlaneOf<T> ball_centre;  ///< X [m]
   PlaneOf<T> force;        ///< f [N]
-  T f_a[4];                ///< df/dA, row-major [N/m]
+  T f_a[4];                ///< df/dA, A: inner groove centre, row-major [N/m]
   T load;                  ///< Q [N], equal at both contacts
 };
 using StaticBall = StaticBallOf<double>;

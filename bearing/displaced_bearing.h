@@ -9,9 +9,9 @@
 namespace raceway::bearing {
 
 /// Finds the equilibrium of the balls, and the ball forces on the inner ring, for a given
-/// displacement of this ring. This class is the inverse of solve_bearing_equilibrium(). Use this
-/// class for one speed with many displacements and groove shifts. Each solve starts from the
-/// previous solution. The bearing must exist as long as the object.
+/// displacement of this ring. This class solves the inverse problem of solve_bearing_equilibrium().
+/// Use this class for one speed with many displacements and groove shifts. Each solve starts from
+/// the previous solution. The bearing must exist as long as the object.
 ///
 /// Domain:   speed >= 0. The grooves may be shifted (RingShift).
 /// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the

@@ -20,8 +20,8 @@ namespace raceway::bearing {
 ///      sets of contacts that differ from a set of step 2 by one ball, with more Newton steps,
 ///   7. under inner control, the contacts that occur on a grid of ring positions (contact_scan.h).
 ///
-/// Without axial load, only step 4 is possible. Under outer control the forces are continuous in
-/// the displacement, and these steps find every equilibrium that is known to exist. Under inner
+/// Without axial load, the search uses only step 4. Under outer control the forces are continuous
+/// in the displacement, and these steps find every equilibrium that is known to exist. Under inner
 /// control the gyroscopic couple vanishes with the contact, so an equilibrium may exist only for
 /// one combination of lost contacts. Steps 2 and 6 try the likely combinations of lost contacts,
 /// and step 7 tries the combinations that occur on a grid of ring positions. The search misses

@@ -24,7 +24,8 @@ struct BearingFrequencies {
 ///   FTF = (1 - g cos α)/2,   BSF = (1 - g² cos² α)/(2 g),   g = D/d_m
 ///
 /// Source: rolling without slip; the limit of ball_speeds() at αi = αo. BSF is the rolling
-///         component of ω_R: ω_R cos(α - β) (tested). Domain: g cos α < 1.
+///         component ω_R cos(α - β) of the ball speed, divided by ω (tested). running_frequencies()
+///         uses the whole ω_R. Domain: g cos α < 1.
 [[nodiscard]] inline BearingFrequencies nominal_frequencies(int count, double diameter_ratio,
                                                             double contact_angle) {
   const double ratio = diameter_ratio, x = ratio * std::cos(contact_angle);

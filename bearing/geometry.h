@@ -14,7 +14,7 @@ struct BearingGeometry {
   double contact_angle = unset;     ///< nominal (free) contact angle α0 [rad], 0 for deep groove
   double inner_conformity = unset;  ///< f_i = groove radius / D [1], > 0.5
   double outer_conformity = unset;  ///< f_o = groove radius / D [1], > 0.5
-  double radial_clearance = 0.0;  ///< diametral play of a deep-groove bearing [m], only at α0 = 0
+  double radial_clearance = 0.0;  ///< diametral play [m], only for a deep-groove bearing (α0 = 0)
   double bore = unset;            ///< bore diameter d [m], default d_m - 1.5 D
   double outer_diameter = unset;  ///< outer diameter of the outer ring [m], default d_m + 1.5 D
   double static_load_rating = unset;  ///< C0 [N]; required by friction laws that use it

@@ -13,7 +13,8 @@ struct Curvature {
   double difference = unset;  ///< F(ρ) [1], in [0, 1)
 };
 
-/// Returns the curvature of ball on groove at a contact angle [1/m, 1]:
+/// Returns the curvature sum [1/m] and the curvature difference [1] of the contact between ball and
+/// groove at a contact angle:
 ///
 ///   Σρ D = 4 - 1/f ± 2γ/(1 ∓ γ),   F(ρ) Σρ D = 1/f ± 2γ/(1 ∓ γ),   γ = D cos α / d_m
 ///
@@ -34,9 +35,9 @@ struct Curvature {
 /// complete elliptic integrals of modulus k = sqrt(1 - 1/κ²) (the argument of Boost's functions is
 /// k, not k²). Source: [Harris2006, vol. 1, eqs. 6.25-6.43].
 /// Domain:   0 <= F(ρ) < 1; F(ρ) = 0 is the circular contact.
-/// Accuracy: κ to 1e-14 relative. Physically, the theory assumes dry, frictionless, elastic half
-///           spaces. For close-fitting grooves (f < 0.51) the calculated approach δ is wrong by a
-///           few per cent.
+/// Accuracy: the relative error of κ is 1e-14. Physically, the theory assumes dry, frictionless,
+///           elastic half spaces. For close-fitting grooves (f < 0.51) the calculated approach δ is
+///           wrong by a few per cent.
 struct HertzContact {
   double curvature_sum = unset;      ///< Σρ [1/m]
   double ellipse_ratio = unset;      ///< κ = a/b [1]

@@ -30,10 +30,11 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = min(Qi/inner_load, 1)
 ///
-/// The ball rolls without slip at both contacts about an axis at the pitch angle β to the bearing
-/// axis. The creep m_c is added to the ratio m. β, m_c and the given friction forces stay constant
-/// while the contact angles change. The friction forces become zero when the inner contact is lost.
-/// The default values describe a ball without inner contact under outer control, where αo = 0.
+/// p/(p + q) is the ratio m of a ball that rolls without slip at both contacts, about an axis at
+/// the pitch angle β to the bearing axis. The creep m_c is added to this ratio. β, m_c and the
+/// given friction forces stay constant while the contact angles change. The friction forces become
+/// zero when the inner contact is lost. The default values describe a ball without inner contact
+/// under outer control, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
   double creep = 0.0;                                 ///< m_c [1]
@@ -114,8 +115,8 @@ struct BallRotation {
   return p / (p + q);
 }
 
-/// Rotation of a ball from a friction equilibrium. The ball rolls about its axis, and the cage
-/// speed includes the creep.
+/// Rotation of a ball from a friction equilibrium. The ball speed is the speed for rolling without
+/// slip, and the cage speed includes the creep.
 [[nodiscard]] inline BallRotation ball_rotation(const GivenRotation& given,
                                                 double inner_contact_angle,
                                                 double outer_contact_angle, double diameter_ratio,

@@ -7,9 +7,9 @@
 
 /// Number types for code that computes one operating point, or several operating points in
 /// parallel: `double`, or SIMD batches with one point per lane. Batches define arithmetic,
-/// comparisons, sqrt and other functions (found by argument-dependent lookup). This header adds the
-/// missing functions for `double`, and further functions for both number types. If lanes need
-/// different results, the code selects these results with a mask instead of a branch.
+/// comparisons, sqrt and other functions (found by argument-dependent lookup). This header adds
+/// functions that `double` lacks, such as select(), and functions for both number types. If lanes
+/// need different results, the code selects these results with a mask instead of a branch.
 namespace raceway::bearing {
 
 /// Properties of a number type T: `Mask` is the type of the result of `a < b`, and `count` is the

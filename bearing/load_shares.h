@@ -8,7 +8,7 @@
 namespace raceway::bearing {
 
 /// Finds the balls that can stay in contact with the inner race under inner control, and the
-/// positions of ring and balls. The class uses statics only, without a Newton step.
+/// positions of ring and balls. The class uses statics only, without a Newton step of the ring.
 ///
 /// The axial force of a kept ball at azimuth ψ is a linear function of c = cos(ψ - φ), where φ is
 /// the argument `direction`: the azimuth of the load, or the opposite azimuth. With locked tilt,
@@ -56,11 +56,11 @@ class LoadShares {
     Plane groove, ball;
   };
 
-  /// By how much a share differs from equilibrium, with derivatives (_i, _o: per radian of the
-  /// inner and the outer contact angle).
+  /// Residuals of a Share, which are zero in equilibrium, and their derivatives (_i, _o: per radian
+  /// of the inner and the outer contact angle).
   struct Excess {
-    double force, force_i, force_o;     ///< force on the ball across the outer contact [N]
-    double radius, radius_i, radius_o;  ///< radius of the inner groove centre, beyond the given [m]
+    double force, force_i, force_o;     ///< force on the ball, tangential to the outer contact [N]
+    double radius, radius_i, radius_o;  ///< radius of the groove centre minus given radius [m]
   };
 
   /// Computes the other members of `share` from its contact angles.

@@ -5,7 +5,7 @@
 namespace raceway::bearing {
 
 /// Speed, loads and moments on the inner ring of one bearing. x is along the shaft, y and z are
-/// radial, right-handed. The inner ring rotates, the outer ring is stationary.
+/// radial, and the axes are right-handed. The inner ring rotates, the outer ring is stationary.
 struct OperatingPoint {
   /// Speed of the shaft relative to the housing [rad/s], >= 0 (the direction of rotation has no
   /// effect).

@@ -75,7 +75,7 @@ struct BallCircle {
   const double* azimuth;  ///< [rad]
   const double* cosine;   ///< cosine of the azimuth
   const double* sine;
-  int count;  ///< Z
+  int count;  ///< Z, number of balls
   Symmetry symmetry;
   std::span<const GivenRotation> rotations = {};  ///< one for each ball, or one for all
 
@@ -122,7 +122,7 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
 template <typename T>
 struct BallStep {
   T own[2];          ///< step while the ring does not move [m]
-  T follow[4];       ///< step for a unit step of the groove centre [1]
+  T follow[4];       ///< step per unit step of the groove centre, row-major 2x2 [1]
   T outer_approach;  ///< δo [m]
 };
 
@@ -169,7 +169,8 @@ template <BallModel model, typename T>
     // imbalance.
     const T scale = p.ball_scale + b.outer_load;
     const T squared = scale * scale;
-    // A ball whose approach at the outer race has less than one significant digit is not moved.
+    // The determinant is 0 if rounding leaves no digit of the approach at the outer race. The ball
+    // is then not moved.
     const T product = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
     const Mask<T> lies = product == T(0.0);
     const T determinant = select(lies, T(1.0), product);
@@ -242,7 +243,7 @@ struct RingSums {
     }
   }
 
-  /// Adds ball k, rotated from its plane into the bearing's axes.
+  /// Adds the forces of ball k, rotated from its plane into the bearing's axes.
   [[gnu::always_inline]] void add(const BallCircle& circle, int k, const BallShare<T>& share) {
     const double c = circle.cosine[k], s = circle.sine[k], w = circle.weight(k);
     // Displacement of the groove centre per unit of each coordinate, axial or radial (`column`).
@@ -287,7 +288,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
     k[3][2] = -k41;
     for (int i = 1; i < 5; ++i) sums.carried[i] = zero;
   } else if (circle.symmetry == Symmetry::mirror) {
-    // Terms that cancel between the two halves of the circle.
+    // Sets the terms to zero that cancel between the two halves of the circle.
     for (const int odd : {2, 3}) {
       sums.carried[odd] = zero;
       for (const int even : {0, 1, 4}) k[odd][even] = k[even][odd] = zero;
@@ -300,7 +301,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
 /// are about a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
-/// Result of a ring in equilibrium.
+/// Results for a ring in equilibrium.
 template <typename T>
 struct RingReport {
   T stiffness[5][5];  ///< [N/m]
@@ -311,8 +312,8 @@ struct RingReport {
 };
 
 /// Computes angles and forces of the balls that are unknowns, for a ring in equilibrium. Then sums
-/// the ball forces from these angles and compares the sum with the applied load. This comparison is
-/// an independent check of all calculations from the unknowns to the report.
+/// the ball forces from these results and compares the sum with the applied load. This comparison
+/// is an independent check of all calculations from the unknowns to the report.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {

@@ -25,8 +25,8 @@ struct NewtonProgress {
   Mask<T> not_finite, singular, exhausted;
 };
 
-/// Newton's method for ring and balls together, with an independent point in each lane. Lanes begin
-/// and end at any time. A result does not depend on the other lanes.
+/// Newton's method for ring and balls together, with an independent point in each lane. Lanes can
+/// start and finish at different times. A result does not depend on the other lanes.
 ///
 /// A step moves the ring by at most half the distance of the groove centres. A full step may raise
 /// the merit by the factor NewtonLimits::rise, because a ball may gain or lose contact. If the

@@ -23,7 +23,7 @@ enum class ClearanceState {
   free      ///< before mounting
 };
 
-/// Internal geometry of a single-row cylindrical roller bearing that is free along its axis.
+/// Internal geometry of a single-row cylindrical roller bearing that is free to move axially.
 struct RollerGeometry {
   int roller_count = 0;            ///< Z [1]
   double roller_diameter = unset;  ///< D [m]
@@ -46,8 +46,8 @@ struct RollerGeometry {
   }
 };
 
-/// Returns the geometry. Throws std::invalid_argument with name, value and allowed range for the
-/// first missing or impossible value.
+/// Checks and returns the geometry. Throws std::invalid_argument with name, value and allowed range
+/// for the first missing or impossible value.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
 /// Number of slices of a roller. The number is fixed, because the life depends on the number of
@@ -77,7 +77,8 @@ inline constexpr std::size_t lamina_count = 41;
 /// k(ring)), k = (1 - ν²)/E.
 ///
 /// Source:   [ISO16281], as two other programs implement it. The split into two equal contacts in
-///           series and the factor of the materials are derived (Lundberg's form is linear in k).
+///           series and the factor of the materials are derived (in Lundberg's form, the load
+///           occurs only as a product with k).
 /// Accuracy: the approach is within 2.5 % of a boundary element solution for the contact of a strip
 ///           and a cylinder. Palmgren's formula 3.84e-5 Q^0.9/L^0.8 gives an approach that is 3.4 %
 ///           smaller.
@@ -115,8 +116,9 @@ class RollerBearing {
   [[nodiscard]] const LineContact& contact() const { return contact_; }
   /// Mass of a roller, m = ρ π/4 D² L [kg].
   [[nodiscard]] double roller_mass() const { return roller_mass_; }
-  /// Centrifugal force of a roller at a speed of the inner ring [N]:
-  /// Fc = m d_m/2 ω_m²,   ω_m = ω (1 - D/d_m)/2.
+  /// Centrifugal force of a roller [N] at the speed ω of the inner ring [rad/s]:
+  ///
+  ///   Fc = m d_m/2 ω_m²,   ω_m = ω (1 - D/d_m)/2
   [[nodiscard]] double centrifugal_force(double speed) const;
   /// Positions of the slices' middles, measured from the middle of the roller along +x [m].
   [[nodiscard]] const std::array<double, lamina_count>& positions() const { return positions_; }

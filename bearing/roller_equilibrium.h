@@ -21,7 +21,7 @@ struct RollerOptions {
   /// With `locked`, tilt_y and tilt_z are imposed. With `free`, the ring tilts until it balances
   /// the given moments.
   Tilt tilt = Tilt::locked;
-  double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed, right-handed about y and z [rad]
+  double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed ring tilt, right-handed about y and z [rad]
   /// Radial clearance s in operation [m]; if it is NaN, the clearance of the geometry is used.
   double clearance = unset;
   double tolerance = 1e-11;  ///< limit of the imbalance relative to the largest force [1]
@@ -33,15 +33,15 @@ struct LoadedRoller {
   double azimuth = unset;     ///< ψ from +y towards +z [rad]
   double inner_load = unset;  ///< Qi, load at the inner raceway [N]
   double outer_load = unset;  ///< Qo, load at the outer raceway [N]
-  double shift = unset;  ///< u, outward displacement of the roller from its position at the outer
-                         ///< raceway without load [m]
+  double shift = unset;  ///< u, outward displacement of the roller from the position in which it
+                         ///< just touches the outer raceway [m]
   double tilt = unset;   ///< f, tilt of the roller's axis in its radial plane [rad]
   /// Loads of the slices, in the order of RollerBearing::positions() [N].
   std::array<double, lamina_count> inner_laminae{}, outer_laminae{};
 };
 
-/// Displacement of the inner ring under its load, with the rollers in equilibrium. If the solve did
-/// not converge, only `report` is set.
+/// Equilibrium of the inner ring and the rollers under a load. If the solve did not converge, only
+/// `report` is set.
 struct RollerEquilibrium {
   /// Displacement y, z [m], θ_y, θ_z [rad] of the inner ring at the middle plane of the rollers,
   /// measured from the centred position.
@@ -54,8 +54,8 @@ struct RollerEquilibrium {
   std::vector<LoadedRoller> rollers;
   double clearance = unset;          ///< radial clearance s of this equilibrium [m]
   double centrifugal_force = unset;  ///< force on one roller [N]
-  /// ∂(Σ Qi)/∂s at constant forces on the ring and constant tilt, always negative [N/m]: the loss
-  /// of roller load by additional clearance. Σ Qo has the same derivative.
+  /// ∂(Σ Qi)/∂s at constant forces on the ring and constant tilt, never positive [N/m]: additional
+  /// clearance reduces the sum of the roller loads. Σ Qo has the same derivative.
   double sum_by_clearance = unset;
   /// True if there is no load and no inner contact. Such a state is a valid equilibrium without
   /// displacement and stiffness, because the ring is free within its clearance.
@@ -75,7 +75,7 @@ struct RollerEquilibrium {
 
 /// Finds the displacement of the inner ring at which the rollers carry the applied load.
 ///
-///   approach at azimuth ψ, x from the middle:
+///   approach of the raceways at azimuth ψ and distance x from the middle of the roller:
 ///     e = y cos ψ + z sin ψ + x (θ_z cos ψ - θ_y sin ψ) - s/2
 ///
 ///   slices    qi = c1 (e - u - x f - P(x))^(10/9),   qo = c1 (u + x f - P(x))^(10/9)
@@ -90,15 +90,17 @@ struct RollerEquilibrium {
 /// and tilt of a roller (LoadedRoller).
 ///
 /// The equilibrium is the minimum of a convex energy of ring and rollers. Newton's method solves
-/// for all unknowns, with a line search on the derivative along the step. The two unknowns of each
-/// roller are eliminated. Ki and Ko are the contact stiffnesses of a roller; B maps the ring
-/// displacement to the roller. K uses the pseudo-inverse if a roller touches with a single slice.
+/// for all unknowns, with a line search on the derivative of the energy along the step. The two
+/// unknowns of each roller are eliminated. Ki and Ko are the contact stiffnesses of a roller. B
+/// maps the ring displacement to the approach and tilt of the raceways at the roller. If Ki + Ko is
+/// singular because the roller touches with a single slice, K uses the pseudo-inverse.
 ///
 /// Source:   at rest the formulas of [ISO16281], as two other programs implement them; the series
 ///           connection of the contacts and the terms with the centrifugal force Fc are derived.
 /// Domain:   speed >= 0. The function throws std::invalid_argument unless axial_load is 0. Without
 ///           load and preload no roller touches the inner ring, and the status is `loose`. The ring
-///           does not move in a direction without stiffness, for example with one loaded roller.
+///           does not move in a direction without stiffness, for example perpendicular to the load
+///           of a single loaded roller.
 /// Accuracy: the relative imbalance is at most `tolerance`. The model assumes rigid rings and
 ///           quasi-static motion. The model ignores roller skew, flange friction, cage slip and
 ///           film. An approach below 1e-15 m is not a contact. Otherwise a rounding error of 1e-19

@@ -18,12 +18,13 @@ enum class Seat {
 
 /// Determines the seat from the least and largest inner contact angles of the loaded balls [rad].
 ///
-/// A ball at a contact angle pushes the ring along the axis. If the groove has a shoulder on one
-/// side only, all balls push in the same direction. Under a purely radial load the sum of the
-/// axial ball forces must be zero, so each axial ball force is zero. The ring moves back until the
-/// groove centres lie opposite each other, and the balls carry the load at contact angle 0. A
-/// moment without enough axial load needs balls that push in the opposite direction. In the solver
-/// the grooves continue beyond the bottom. In a real bearing the rings separate.
+/// A ball with a contact angle above 0 pushes the ring along the axis. If the groove has a shoulder
+/// on one side only, all balls push in the same direction. Under a purely radial load the sum of
+/// the axial ball forces must be zero, so each axial ball force is zero. The ring moves back until
+/// the groove centres lie opposite each other, and the balls carry the load at contact angle 0. A
+/// moment without enough axial load needs balls that push in the opposite direction. The solver
+/// permits such balls, because its grooves continue beyond the bottom. In a real bearing the rings
+/// separate.
 ///
 /// Domain:   angles up to a tenth of the nominal angle are treated as zero. The result is
 ///           `shoulder` for a bearing with α0 = 0 (deep groove, with two shoulders) and for a

@@ -14,9 +14,10 @@ struct ShaftState {
   std::vector<Plane> balls;
 };
 
-/// Forces of one bearing, their derivative with the ball eliminated, and the ball's Newton step.
+/// Axial force of one bearing, its derivative with the ball position eliminated, and the Newton
+/// step of the ball.
 struct BearingShare {
-  double force = 0.0;      ///< Z f_axial [N]
+  double force = 0.0;      ///< Z f_axial, axial force of all balls on the ring [N]
   double gain = 0.0;       ///< change of the force by the ball's own Newton step [N]
   double stiffness = 0.0;  ///< derivative of the force with respect to displacement [N/m]
   double imbalance = 0.0;  ///< imbalance of the ball, squared and scaled [1]
@@ -28,8 +29,9 @@ struct BearingShare {
 struct ShaftAssembly {
   std::vector<BearingShare> bearings;
   BearingShare front, rear;  ///< sums over each side
-  double shaft_imbalance;    ///< F_f - F_r + d P, with the external load P [N]
-  /// softness (F_r - F_0) - hardness (d (x - e) - (δ_r - δ_r0)), see Arrangement::Seat.
+  double shaft_imbalance;    ///< F_f - F_r + d P: front force, rear force, external load P [N]
+  /// Imbalance in the support of the rear set (Arrangement::Seat):
+  ///   softness (F_r - F_0) - hardness (d (x - e) - (δ_r - δ_r0))
   double seat_imbalance;
   double residual;  ///< largest scaled imbalance [1]
   double merit;     ///< sum of squares of the scaled imbalances
@@ -41,8 +43,8 @@ class ShaftSystem {
  public:
   ShaftSystem(const Arrangement& arrangement, const EquilibriumOptions& options);
 
-  /// Sets the condition, with `speed_share` of the squared speed, and `load_share` of loads and
-  /// shifts.
+  /// Sets the condition, with `speed_share` of the squared speed, and `load_share` of the load, the
+  /// elongation and the shifts.
   void set_condition(const ArrangementCondition& condition, double speed_share = 1.0,
                      double load_share = 1.0);
   /// Iterates from `state` to equilibrium within the tolerance. If the function returns false,
@@ -63,7 +65,7 @@ class ShaftSystem {
   [[nodiscard]] double load() const { return load_; }
   [[nodiscard]] double displacement(const ShaftState& state, std::size_t i) const;
   [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;
-  /// Position of a ball on which only the centrifugal force acts.
+  /// Position of a ball that only the centrifugal force presses against the outer race.
   [[nodiscard]] Plane thrown_ball(std::size_t i) const;
   /// True if bearing i > 0 is on the same side as bearing i - 1 and has the same condition and
   /// equilibrium.
@@ -87,7 +89,7 @@ class ShaftSystem {
     BallConstants constants;
     Plane free;      ///< inner groove centre without displacement [m]
     double offset;   ///< additional compression relative to its set [m]
-    double count;    ///< Z
+    double count;    ///< Z, number of balls
     bool like_last;  ///< true: same bearing, offset, shift, rotation and side as bearing i - 1
   };
   struct Step {

@@ -28,7 +28,7 @@ namespace raceway::bearing {
 /// Source:   comparison of the static ellipse with the land height, as in [Harris2006, vol. 1];
 ///           from memory, not checked against the print.
 /// Domain:   a bearing in equilibrium. For α0 = 0 (deep groove, two shoulders) |α| replaces α;
-///           otherwise the groove has no shoulder beyond its bottom. The margin is NaN without a
+///           otherwise the groove has a shoulder on one side only. The margin is NaN without a
 ///           shoulder diameter, or if no ball touches.
 /// Accuracy: the model assumes a sharp edge. A real edge is rounded over about 0.1 mm, or 1 deg.
 struct ShoulderMargins {
@@ -40,7 +40,7 @@ struct ShoulderMargins {
                                                const BearingEquilibrium& equilibrium);
 
 /// Pure axial load at standstill under which the ellipse of a race reaches the edge of its shoulder
-/// [N]. A load without equilibrium is treated as too large.
+/// [N]. The search treats a load without equilibrium as too large.
 ///
 /// Domain:   the load is NaN without a shoulder diameter, 0 if the angle of the edge is at
 ///           most the nominal contact angle, and infinite if no load up to 1e8 N reaches the edge.

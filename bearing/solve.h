@@ -11,7 +11,7 @@ enum class SolveStatus {
   converged,
   no_equilibrium,   ///< no equilibrium was found; see SolveReport::certain
   iteration_limit,  ///< the solver reached the limit of Newton steps
-  singular,         ///< the load leaves a displacement undetermined
+  singular,         ///< singular stiffness: a displacement is undetermined
   not_finite,       ///< a value of the solution is infinite or NaN
 };
 

@@ -16,8 +16,8 @@ enum class InstructionSet { sse2, avx2, avx512 };
 [[nodiscard]] InstructionSet best_instruction_set();
 [[nodiscard]] bool available(InstructionSet set);
 
-/// An operating point of a bearing. Different bearings, for example one bearing at several
-/// temperatures, are solved in parallel if they have equal numbers of balls.
+/// An operating point of a bearing. Different Bearing objects, for example the same bearing at
+/// several temperatures, are solved in parallel if they have equal numbers of balls.
 struct BearingCase {
   const Bearing* bearing = nullptr;
   OperatingPoint point;
@@ -26,13 +26,13 @@ struct BearingCase {
 /// Finds the equilibria of many operating points. No point starts from the solution of another
 /// point. The statuses equal the statuses of solve_bearing_equilibrium(), and the solutions agree
 /// within the tolerance. There is one exception: under inner control one load can have several
-/// equilibria, and another instruction set can find a different equilibrium because of rounding.
+/// equilibria, and rounding can lead each instruction set to a different one.
 ///
 /// Newton's method solves several points in parallel (SIMD), from the closed-form thrust solution.
 /// Points at which Newton's method does not converge are solved like single points. Threads share
 /// the points in fixed chunks. The result of a point depends only on the point and the instruction
 /// set, to the last bit. The number of threads has no influence. The function needs memory for the
-/// results and a fixed amount per thread. Memory for balls that `results` already has is used
+/// results and a fixed amount per thread. Memory for balls that `results` already contains is used
 /// again.
 ///
 /// Throws std::invalid_argument if the number of results differs from the number of points, for

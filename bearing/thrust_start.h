@@ -5,8 +5,8 @@
 
 namespace raceway::bearing {
 
-/// Approximate positions of the ring and of every ball under pure thrust. Solves with an axial
-/// load > 0 start from these positions if there is no neighbouring solution.
+/// Approximate positions of the ring and of every ball under pure thrust. The solver starts from
+/// these positions if the axial load is above 0 and there is no neighbouring solution.
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]

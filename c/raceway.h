@@ -1,15 +1,16 @@
-/// Friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW and Modelica. Models are
-/// read from TOML (docs/files.md). A state is an operating point: speed, loads and temperature.
-/// States and results are plain arrays.
+/// Interface to the friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW and
+/// Modelica. Models are read from TOML (docs/files.md). A state is an operating point: speed, loads
+/// and temperature. States and results are plain arrays.
 ///
-/// Units:    the name of each quantity ends with its unit: rpm, N, C (degrees Celsius), Nmm (N mm).
+/// Units:    the name of a quantity ends with its unit, such as rpm, N, C (degrees Celsius) or Nmm
+///           (N mm).
 /// Returns:  raceway_solve(), raceway_table() and raceway_predict() return 0: done, 1: wrong input,
 ///           2: some states did not converge. The exit status of the command raceway has the same
 ///           meaning.
-/// Messages: a function with `message` and `message_size` writes its message into this buffer, in
-///           UTF-8 with a final 0. The message is the error text, or one line for each note and
-///           warning ("note: ...", "warning: ..."), or empty. Text that does not fit is cut off
-///           between two characters. With NULL or a size of 0, no text is written.
+/// Messages: a function with `message` and `message_size` writes its message into the buffer
+///           `message`, in UTF-8 with a final zero byte. The message is the error text, or one line
+///           for each note and warning ("note: ...", "warning: ..."), or empty. Text that does not
+///           fit is cut off between two characters. With NULL or a size of 0, no text is written.
 /// Threads:  several threads may call the functions at the same time, even with the same model,
 ///           because a model does not change. Call raceway_free() once for each model, after all
 ///           other calls with this model.
@@ -43,7 +44,7 @@ enum {
   RACEWAY_STATUS_CONVERGED = 0,
   RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< no equilibrium was found under this load
   RACEWAY_STATUS_ITERATION_LIMIT = 2,
-  RACEWAY_STATUS_SINGULAR = 3,    ///< the load leaves a displacement undetermined
+  RACEWAY_STATUS_SINGULAR = 3,    ///< singular stiffness: a displacement is undetermined
   RACEWAY_STATUS_NOT_FINITE = 4,  ///< a result is infinite or NaN
   RACEWAY_STATUS_NOT_RUN = 5
 };
@@ -58,8 +59,9 @@ RACEWAY_API const char* raceway_status_name(int status);
 /// Reads a model from the text of a model file. `source_name` is the name of the file in messages;
 /// NULL means "model". Names of files in the text are relative to the folder of `source_name`.
 ///
-/// Returns the model. Free the model with raceway_free(). After an error, returns NULL, and
-/// `message` gives the reason. raceway_messages() returns the notes on a model that was read.
+/// Returns the model. Free the model with raceway_free(). After an error, the function returns
+/// NULL, and `message` gives the reason. raceway_messages() returns the notes on a model that was
+/// read.
 RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* source_name,
                                           char* message, size_t message_size);
 
@@ -108,9 +110,9 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 /// Returns RACEWAY_DONE if all states converged. Returns RACEWAY_WRONG_INPUT and writes no values
 /// for a required pointer that is NULL, a number out of range (the message gives its index, counted
 /// from 0), an axial load that neither the call nor the model gives, or more than 1e8 states.
-/// Returns RACEWAY_NOT_CONVERGED if the status of a state is not RACEWAY_STATUS_CONVERGED. All
-/// converged states have their results. If neither the friction law nor an effect uses ball loads
-/// or angles, the torque of a bearing is computed even if the balls have no equilibrium.
+/// Returns RACEWAY_NOT_CONVERGED if the status of a state is not RACEWAY_STATUS_CONVERGED. The
+/// results of the converged states are valid. If neither the friction law nor an effect uses ball
+/// loads or angles, the torque of a bearing is computed even if the balls have no equilibrium.
 RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const double* speed_rpm,
                               const double* axial_load_N, const double* radial_load_N,
                               const double* temperature_C, const int* strides, const int* columns,
@@ -138,14 +140,14 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 
 /// Predicts the reading of a rig [N mm]: the friction torque of all its bearings (`bearings` under
 /// [rig]) with the effects of the model on the sensor. The column friction_torque_Nmm of
-/// raceway_solve() is for one bearing, without effects on the sensor. The function solves the
+/// raceway_solve() is for one bearing, without effects on the sensor. raceway_predict() solves the
 /// equilibrium of the balls only if the friction law or an effect uses ball loads or angles. For
-/// other models, the function is several times faster than raceway_solve().
+/// other models, raceway_predict() is several times faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` receives
 /// `count` values. `status` receives `count` values or is NULL. The function returns
 /// RACEWAY_WRONG_INPUT for a shaft and for a model with an effect that needs further inputs, such
-/// as a time.
+/// as time.
 RACEWAY_API int raceway_predict(const raceway_model* model, size_t count, const double* speed_rpm,
                                 const double* axial_load_N, const double* radial_load_N,
                                 const double* temperature_C, const int* strides,

@@ -10,8 +10,8 @@ namespace raceway::cli {
 
 /// Parses the values of a flag: "100,300,900", "0:12000:250" (from:to:step), or both:
 /// "0,100:500:100". Throws text::InputError for other texts, for values that are equal or not in
-/// ascending order, and for a range that gives more than 1e7 values. `range` is used only for
-/// ask_about_thousands().
+/// ascending order, and for a range that gives more than 1e7 values. The function does not check
+/// that the values are within `range`; it passes `range` to ask_about_thousands().
 [[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
                                        const std::string& flag);
 

@@ -21,8 +21,8 @@ struct BandFlag {
   [[nodiscard]] std::optional<model::Band> of(const files::ModelFile& file) const;
 };
 
-/// Returns a text such as "+- 0.23" for a half width [SI]. `unit` is the SI value of the unit in
-/// the text.
+/// Returns a text such as "+- 0.23" for the half width of a band [SI]. `unit` is the SI value of
+/// the unit in the text.
 [[nodiscard]] std::string band_text(double half_width, double unit = 1.0);
 
 }  // namespace raceway::cli

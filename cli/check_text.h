@@ -17,8 +17,8 @@ void print_check(const loop::Check& check, const record::Record& data);
 /// this row to the next row), and whether the reading of the row was taken before or after the
 /// settings changed.
 void print_settings_hold(record::SettingsHold hold);
-/// Prints the time steps, the noise and the resolutions of a record over time, and a check of the
-/// published transfer functions of the model.
+/// Prints the time steps and the noise of a record over time, the resolution of each column, and
+/// the time constants and DC gain of each published transfer function of the model.
 void print_check(const correction::RecordCheck& check);
 /// Prints the assumptions of a model, one per line: defaults, estimates, and values that the file
 /// marks as assumed.

@@ -18,7 +18,8 @@ struct LearnFlags {
   /// Declares the flags.
   void declare(CLI::App& command);
   /// Checks the flags before reading files. Throws text::InputError if another of these flags is
-  /// given without --learn, for an invalid duration, and for a file that cannot be written.
+  /// given without --learn, if --every or --forget is not a valid duration, and if --save names a
+  /// file that cannot be written.
   void check(text::IfExists if_exists) const;
 };
 

@@ -17,13 +17,13 @@ namespace raceway::cli {
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 
-  /// Declares the flags. `others` are further names that --format accepts, with their `help`.
+  /// Declares the flags. --format also accepts the names in `others`, and `help` describes them.
   void declare(CLI::App& command, const std::vector<std::string>& others = {},
                const std::string& help = {});
   /// Throws text::InputError for `--separator` or `--decimal-mark` without `--format excel`, and if
   /// the separator equals the decimal mark.
   void check() const;
-  /// Throws text::InputError if put() would fail.
+  /// Throws text::InputError if put() could not write its files.
   void require_writable(const std::string& path, text::IfExists if_exists) const;
   /// Writes to stdout if `path` is "-". Otherwise writes a file and prints "run.csv written"
   /// followed by `what`. Does nothing if `path` is empty.

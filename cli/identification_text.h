@@ -37,8 +37,9 @@ class CommonUnit {
 /// Prints the line on the trust in a correction.
 void print_trust(const record::Channel& displacement, const correction::Trust& trust);
 
-/// Prints the error measures that papers use in addition to RMS and fit: mean absolute error,
-/// peak-to-peak error and reduction of the largest error. Prints nothing if there are no readings.
+/// Prints the error measures that papers use in addition to the RMS error and Metrics::fit_percent:
+/// mean absolute error, peak-to-peak error, and reduction of the largest error relative to the
+/// largest displacement. Prints nothing if there are no readings.
 void print_more_errors(const record::Channel& displacement, const correction::Metrics& m);
 
 /// Prints the result of an identification: lags, gains and the error of the model.

@@ -28,7 +28,7 @@ void count_hidden_messages();
 /// appear after all earlier output on stdout.
 void say(const std::string& line);
 
-/// Prints each message after `note: `, or after `warning: ` for a doubt or a warning.
+/// Prints each note after `note: `, or after `warning: ` if its kind is doubt or warning.
 void tell(const std::vector<record::Note>& notes);
 /// Prints notes, each after `note: `.
 void tell(const std::vector<std::string>& notes);

@@ -19,13 +19,13 @@ namespace raceway::cli {
 struct OutputFlags {
   std::string output;
   bool force = false;
-  std::string force_flag = "--force";  ///< `--replace` if `--force` is a load of this command
+  std::string force_flag = "--force";  ///< `--replace` if `--force` gives a load
 
   /// Declares `-o`.
   CLI::Option* declare_output(CLI::App& command, const std::string& help);
   /// Declares `--force`.
   void declare_force(CLI::App& command, const std::string& help = "replace the file if it exists");
-  /// Returns the action if the file already exists.
+  /// Returns the action for an output file that already exists.
   [[nodiscard]] text::IfExists if_exists() const;
   [[nodiscard]] bool to_file() const { return !output.empty() && output != "-"; }
   /// Throws text::InputError if the file cannot be written. Call it before a long calculation.
@@ -49,7 +49,7 @@ struct ResultFlags : OutputFlags {
   ReportFlag report;
 
   /// Declares `--format`, `--separator`, `--decimal-mark`, `--force`, `--json` and `--report`.
-  /// `forms` are further names that --format accepts, with their `help`.
+  /// --format also accepts the names in `forms`, and `help` describes them.
   void declare_results(CLI::App& command, const std::vector<std::string>& forms = {},
                        const std::string& help = {});
   /// Throws text::InputError if the table and the JSON document would both go to stdout, or if a

@@ -12,8 +12,8 @@ struct FlagProblem {
 };
 
 /// Finds the first error in the flags of a command: a flag is unknown (the message suggests a
-/// similar one), is given twice, or has no value. Call it before parsing. For a misspelt flag, the
-/// parser would only report that the flag is missing.
+/// similar one), is given twice, or has no value. Call it before parsing. For a misspelt required
+/// flag, the parser would only report that the required flag is missing.
 [[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
                                                       std::span<char* const> arguments);
 

@@ -9,7 +9,7 @@ namespace raceway::cli {
 
 /// Returns `[####......] 42 % 12 s left step` in at most `width` characters. `share` is the
 /// finished share of the work, 0 to 1. The remaining time follows from `share` and `elapsed` [s].
-/// It is omitted at the beginning.
+/// At the beginning, the remaining time is omitted.
 [[nodiscard]] std::string progress_line(double share, double elapsed, std::string_view step,
                                         std::size_t width);
 

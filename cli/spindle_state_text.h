@@ -10,8 +10,8 @@ namespace raceway::cli {
 /// Prints one steady state of a spindle in full: temperatures, joints, stresses, heat and forces.
 void print_steady_state(const model::Model& model, const results::SteadyState& state);
 
-/// Returns a friction power [W] as text, with the band of the friction table if the table has a
-/// band.
+/// Returns a friction power [W] as text, followed by `band`, the half width of its 95 % band [W],
+/// if `band` is above 0.
 [[nodiscard]] std::string friction_words(double power, double band);
 
 }  // namespace raceway::cli

@@ -10,7 +10,7 @@ namespace raceway::cli {
 void print_steady(const session::SteadySpindle& found);
 
 /// Prints the state at the end of a run, the smallest and largest displacement of the nose, and the
-/// largest front force.
+/// largest axial force of the front set.
 void print_run(const session::SpindleRun& found);
 
 }  // namespace raceway::cli

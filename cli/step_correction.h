@@ -19,13 +19,13 @@ struct StepCorrectionFlags {
   /// Throws text::InputError for `--programme` without `--correction` or without a model, and for
   /// `--correction -`. `has_model` is true if the command line names a model.
   void check(bool has_model) const;
-  /// Throws text::InputError if write() would fail.
+  /// Throws text::InputError if write() could not write the correction or its tables.
   void require_writable(text::IfExists if_exists,
                         const std::vector<std::string>& load_channels) const;
   /// Writes the correction and its tables, if they were requested.
   void write(const session::SpindleSteps& steps, bool replace) const;
-  /// Compares the written correction with the simulation over the programme. Returns nothing if no
-  /// programme was given.
+  /// Compares the written correction with the simulation of the speed programme in `programme`.
+  /// Returns nothing if `programme` is empty.
   [[nodiscard]] std::optional<results::Superposition> superposition(
       const session::SpindleSteps& steps) const;
 };

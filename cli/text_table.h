@@ -16,7 +16,7 @@ class TextTable {
     std::string name;
     std::string unit;
     bool left = false;   ///< true: the cells are left-aligned, for words
-    bool wraps = false;  ///< true: the text of the last column fills the remaining width
+    bool wraps = false;  ///< true: long text in the last column is broken into lines
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }

@@ -22,10 +22,10 @@ namespace raceway::control {
                                     const record::Record& record, std::size_t most_rows = 1000);
 
 /// Returns a synthetic check record within the ranges of the models: varying temperatures, blocks
-/// of speeds and feeds, a coolant that switches on and off, and a gap in time. The record has at
-/// most 60 rows. It lasts about twice the longest time constant of the sections, at least 20 min.
-/// If a model has a transfer function, the rows have its sampling interval instead, and there is no
-/// gap.
+/// of speeds and feeds, and a coolant that switches on and off. The record has at most 60 rows.
+/// Without transfer functions, it lasts about twice the longest time constant of the sections, at
+/// least 20 min, and has a gap in time. If a model has a transfer function, the time step is the
+/// sampling interval of this function, and there is no gap.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
 
@@ -35,8 +35,9 @@ namespace raceway::control {
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// Applies allow_to_stand() to every input, with the longest time for which the input is constant
-/// in the record. Returns one sentence for each changed input.
+/// If a temperature is constant for a long time in the record, increases the time after which the
+/// program reports the sensor as stuck (allow_to_stand()). Returns one sentence for each changed
+/// input.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 

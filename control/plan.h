@@ -19,9 +19,9 @@
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt: measured time since the last call
 ///
 /// For inputs that vary linearly between two samples, such as temperatures, an additional term
-/// makes the step exact for a ramp. A transfer function that is a sum of lags
-/// (correction::parallel_form()) becomes sections. Other transfer functions run as difference
-/// equations, which need a fixed interval between calls.
+/// makes s exact. A transfer function that is a sum of lags (correction::parallel_form()) is
+/// exported as sections. Any other transfer function is exported as a difference equation, which
+/// needs a fixed interval between calls.
 namespace raceway::control {
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -44,8 +44,8 @@ struct ControlInput {
   double smoothing_s = 0.0;
 };
 
-/// Joint range of the inputs x in the training data: |weights (x - mean)| is at most `farthest`.
-/// Speeds, feeds and the coolant state enter with their absolute value.
+/// Joint range of the inputs x in the training data: the norm |weights (x - mean)| is at most
+/// `farthest`. Speeds, feeds and the coolant state enter with their absolute value.
 struct ControlTogether {
   std::vector<std::size_t> inputs{};
   std::vector<double> mean{};
@@ -84,9 +84,9 @@ struct ControlDrive {
   double decay_rpm = unset;                ///< n0, for `motor`
   double lowest = unset, highest = unset;  ///< range of a power in the training data [W]
   std::string unit{};                      ///< unit of u, such as "K"
-  /// Index of the input of the window: the position of a machine axis. The window is a factor: 0
-  /// outside `window_from` and `window_to`, 1 between `window_full_from` and `window_full_to`, and
-  /// linear between.
+  /// Index of the input on which the window depends: the position of a machine axis. The window is
+  /// a factor: 0 outside `window_from` and `window_to`, 1 between `window_full_from` and
+  /// `window_full_to`, and linear between.
   std::size_t window = nowhere;
   double window_from = unset, window_full_from = unset, window_full_to = unset, window_to = unset;
   bool window_of_drive = false;  ///< true: the window multiplies u; false: the displacement
@@ -104,8 +104,8 @@ struct ControlSection {
   double direct = 0.0;
   /// Factors on the gain and on the time constant while coolant_on is 0.
   double off_gain = 1.0, off_time_constant = 1.0;
-  /// The time constant is multiplied by f = 1/(1 + speed_factor n/10 000 rpm), and the gain by
-  /// f^gain_power.
+  /// At the speed n, the time constant is multiplied by f = 1/(1 + speed_factor n/10 000 rpm), and
+  /// the gain is multiplied by f^gain_power.
   double speed_factor = 0.0, gain_power = 1.0;
   /// Factor on the time constant while u is below the state of the section divided by `gain`.
   double falling = 1.0;
@@ -200,7 +200,7 @@ struct ControlPlan {
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
               coolant = nowhere;            ///< indices of speed_rpm and coolant_on in `inputs`
-  std::vector<ControlTogether> together{};  ///< one for each model with a range of several inputs
+  std::vector<ControlTogether> together{};  ///< one for each model with a joint range of inputs
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};
@@ -216,7 +216,8 @@ struct ControlPlan {
 /// Returns the ControlInput for a column of a record, without its range and its limits.
 [[nodiscard]] ControlInput input_of(const record::Channel& channel);
 
-/// Returns the index in `plan.inputs` of the input from a column; `nowhere` if there is none.
+/// Returns the index of the input with this column name in `plan.inputs`; `nowhere` if no input has
+/// this name.
 [[nodiscard]] std::size_t place_of(const ControlPlan& plan, std::string_view column);
 
 /// Makes the plan that exports these models. Throws InputError for parts that a control cannot run:

@@ -30,8 +30,8 @@ struct Band {
   ///
   /// Domain:   records that start at rest. For a machine that is warm at the start, the initial
   ///           states and the offset are fitted to the record and assumed exact.
-  /// Accuracy: linear in the parameters. g is computed by central differences along the principal
-  ///           axes of C.
+  /// Accuracy: the formula treats y as linear in the parameters. g is computed by central
+  ///           differences along the principal axes of C.
   [[nodiscard]] std::vector<double> half_width() const;
 };
 

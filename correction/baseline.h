@@ -9,7 +9,8 @@
 #include "correction/model.h"
 #include "record/record.h"
 
-/// Fits simple models for comparison with a correction. A useful correction has a smaller error.
+/// Fits simple models for comparison with a correction. A useful correction has a smaller error
+/// than these models.
 namespace raceway::correction {
 
 /// Fits a multiple linear regression of the displacement on the inputs of the model's channels and

@@ -45,9 +45,11 @@ struct ControlSettings {
   /// Letter of the axis. If it is empty, the column gives the letter: z for displacement_z_um.
   ByColumn<std::string> axis{};
   // Settings of inputs, by their column.
-  /// Plausible range of an input.
+  /// Plausible range of an input. `all` applies to temperatures only. The limit of other inputs is
+  /// 10 times their largest absolute value in the data of the fit, unless `columns` gives their
+  /// range.
   ByColumn<ControlLimits> plausible{
-      {-40.0, 150.0}, {}};  ///< `all`: temperatures; others: up to 10 times largest training value
+      {-40.0, 150.0}, {}};  ///< `all`: limits of temperatures that `columns` does not name [°C]
   /// Largest allowed change of an input per second; 0: not checked. `all` applies to temperatures
   /// only.
   ByColumn<double> fastest_per_s{1.0};
@@ -64,12 +66,13 @@ struct ControlSettings {
   std::string on_fault = "last-safe";
   double hold_s = 60.0, fade_s = 300.0;
   double longest_gap_s = 10.0, clock_jump_s = 1800.0;
-  /// Lags after a time in which the control was off: simulated for this time with speeds, feeds and
-  /// powers of 0 ("decay"), as before this time ("resume"), or at zero ("rest").
+  /// State of the lags after a time in which the control was off: simulated for this time with
+  /// speeds, feeds and powers of 0 ("decay"), unchanged ("resume"), or zero ("rest").
   std::string restart = "decay";
-  /// Offsets when a new datum is set: part of the datum ("keep"), or removed ("clear").
+  /// Applied offsets when a new datum is set: they become part of the datum ("keep"), or the
+  /// control removes them ("clear").
   std::string touch_off = "keep";
-  /// Offsets while the correction is disabled: moved to 0 ("zero"), or constant ("freeze").
+  /// Offsets while the correction is disabled: they move to 0 ("zero") or stay constant ("freeze").
   std::string disabled = "zero";
   /// Response of lags to inputs beyond the range of the fit: linear in the input ("linear"),
   /// or as for an input at the limit of the range ("hold").

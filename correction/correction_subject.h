@@ -27,7 +27,7 @@ class CorrectionSubject : public fit::Subject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
   /// Returns the subject prepared for a fit to this record: with limits for the time constants, the
-  /// list of input columns that vary, and a zero offset for each run, which the fit determines. The
+  /// list of input columns that vary, and the additional unknowns of the fit (see Beginning). The
   /// input ranges, covariance, residual and held-out error of an earlier fit are removed.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
@@ -61,8 +61,8 @@ class CorrectionSubject : public fit::Subject {
   /// the first part if `initial_state` is "free".
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// Fitted unknown of the record that is not a parameter of the model [m]: the zero of a later run
-  /// or setup, or the initial state of a lag if `initial_state` is "free".
+  /// Fitted unknown of the record that is not a parameter of the model: the zero of a later run or
+  /// setup, or the initial state of a lag if `initial_state` is "free".
   struct Beginning {
     fit::Parameter parameter{};
     int zero = 0;  ///< index of the zero; unused for an initial state

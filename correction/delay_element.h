@@ -16,7 +16,7 @@ namespace raceway::correction {
 /// Source:   [Brecher2021, eq. 6 to 9]. The paper prints K (1 - exp(-t/T)), the step response from
 ///           rest. With that formula, u would jump when x changes. The equation above has the same
 ///           step response, and u is continuous.
-/// Units:    displacement u [m], K [m], T [s], x in the unit of its column: W, N.
+/// Units:    displacement u [m], K [m], T [s], power or load x [W or N].
 /// Domain:   T is positive. If x is a power, it must not be negative, and with the published
 ///           lines it must be below 214.7 W. If x is a load, it may be negative, unless K or T is
 ///           a power law.

@@ -23,7 +23,7 @@ struct EffectCard {
   /// Parameters in the units of the model file. The unit "um/u" means um per unit of the input.
   std::span<const record::NumberCard> numbers;
   std::size_t size = 0;  ///< index of the parameter whose neutral value switches the effect off
-  /// True: changes the response of a channel; false: adds to the displacement.
+  /// True: the effect changes the response of a channel; false: it adds to the displacement.
   bool of_channel = false;
   bool at_channel = false;  ///< true: `Effect::where` names a channel; "" is the first channel
   /// True if full_id() contains a column: the column that drives the effect or limits its window.
@@ -42,7 +42,7 @@ struct Surroundings {
   std::span<const Channel* const> varying{};  ///< input columns that vary in the record
   std::span<const Interval> ranges{};         ///< range of each varying input [SI]
   std::span<const double> jump_times{};       ///< times at which the displacement jumps [s]
-  double end = 0.0;                           ///< end of the record: 1 s after the last row [s]
+  double end = 0.0;                           ///< time 1 s after the last row of the record [s]
 
   [[nodiscard]] bool varies(const Channel& column) const;
   /// Returns true if the first channel has lags that an effect can change.
@@ -66,8 +66,8 @@ struct FittedRecord {
   std::span<const double> left;
 };
 
-/// Behaviour of an effect on a displacement over time. Each effect of the catalogue is a struct in
-/// its own file (correction/effects/); OwnEffect is an effect defined by a user.
+/// Base class of the effects on a displacement over time. Each effect of the catalogue is a struct
+/// in its own file (correction/effects/); OwnEffect is an effect defined by a user.
 class EffectKind {
  public:
   EffectKind() = default;

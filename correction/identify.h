@@ -68,7 +68,7 @@ struct Identification {
   [[nodiscard]] bool is_bank() const { return !strengths.empty(); }
 };
 
-/// Returns a new channel without lags that this column drives. The name of the channel is made from
+/// Returns a new channel with this column as input. The channel has no lags. Its name is made from
 /// the name of the column and differs from the channel names of `model`.
 [[nodiscard]] DrivenChannel driven_by(const Channel& column, const Model& model);
 

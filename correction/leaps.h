@@ -30,7 +30,7 @@ inline constexpr double seen_leap_of_a_sensor = 0.5;
 /// can. The change from the previous row exceeds 0.5 K, and is more than four times the previous
 /// change and the next change. The rows before and after the jump must belong to one run. The time
 /// step of the jump must be at most 1.5 times the time step before it. The speed must be the same
-/// in this row and the three rows before it.
+/// in the row of the jump and the three rows before it.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
                                                     const record::Channel& column);
 

@@ -32,7 +32,7 @@ inline constexpr double usual_reading_std = 0.3 * um;
 /// LearningOptions::every has elapsed.
 struct OfferedReading {
   std::size_t row = 0;
-  /// Reading and prediction from earlier readings [m].
+  /// Reading, and its prediction from earlier readings [m].
   double reading = unset, predicted = unset;
   double std = unset;   ///< expected standard deviation of reading minus prediction [m]
   bool learnt = false;  ///< true: used for learning; false: rejected as too far from the prediction
@@ -101,25 +101,27 @@ struct Learning {
 /// independent processes: one with a correlation time of half an hour, and one for each longer time
 /// constant of the model (at most 24 h) that is more than 1.5 times the next shorter correlation
 /// time. The standard deviation of the sum of the d_i is a fifth of a misfit. The a_j are relative
-/// changes of the contributions c_j. The b_l are gains of additional lags of the model inputs, with
-/// time constants of 0.5, 2 and 8 h. s_l is the response of a lag divided by half the input range.
-/// The standard deviation of the sum of all b_l is 2 misfits. All a_j and b_l return to 0 with the
-/// time constant `forgetting`. v is the noise of a reading. One UnknownsFilter estimates all
-/// unknowns together. The variance of the unknowns is multiplied by level², the mean ratio of the
-/// squared residual to its expected variance over about the last 32 readings. The mean includes the
-/// expected ratio of 1 with the weight of 8 readings.
+/// changes of the contributions c_j. An effect that is valid only for the record of the fit has no
+/// a_j. The b_l are gains of additional lags of the model inputs, with time constants of 0.5, 2 and
+/// 8 h. s_l is the response of a lag divided by half the input range. The standard deviation of the
+/// sum of all b_l is 2 misfits. All a_j and b_l return to 0 with the time constant `forgetting`. v
+/// is the noise of a reading. One UnknownsFilter estimates all unknowns together. Their variances
+/// are multiplied by level² (Learning::level), the mean ratio of the squared residual to its
+/// expected variance over about the last 32 readings. The mean includes the expected ratio of 1
+/// with the weight of 8 readings.
 ///
 /// A reading is rejected if it differs from the prediction by more than 5 expected standard
 /// deviations. The first reading of a run is never rejected. After a rejected reading, learn()
-/// checks the next reading without waiting for LearningOptions::every. If this next reading is also
-/// outside the limit, it resets the zero in two cases: it agrees with the rejected reading, or the
-/// two readings before it were rejected.
+/// checks the next reading without waiting for LearningOptions::every. If the next reading also
+/// exceeds this limit, learn() resets the zero in two cases: the reading agrees with the rejected
+/// reading, or the two readings before it were rejected.
 ///
 /// Source:   a Kalman filter. The standard deviations and times are our choice, based on the record
-///           of docs/correction.md with models from three initial parts of this record.
+///           of docs/correction.md and on models fitted to three initial parts of this record.
 /// Domain:   time records. A new setup_id is treated like a new run. A channel has additional lags
 ///           only if it has first-order lags and the model contains the range of its input.
-/// Accuracy: the standard deviation of the prediction depends on the values assumed above.
+/// Accuracy: the standard deviation of the prediction depends on the standard deviations and times
+///           assumed above.
 ///
 /// Throws std::invalid_argument if the record has no readings of the displacement or lacks an input
 /// of the model.

@@ -26,8 +26,9 @@ using record::Channel;
 
 class OwnEffect;
 
-/// Factor on a channel as a function of an axis position. The factor is 0 outside the outer two of
-/// four points, 1 between the inner two, and linear between an outer and an inner point.
+/// Factor that multiplies a channel, as a function of an axis position. The factor is 0 outside the
+/// outer two of four points, 1 between the inner two, and linear between an outer and an inner
+/// point.
 struct Window {
   const Channel* column = nullptr;  ///< position of the axis
   /// Four rising positions [SI]; infinite on a side without a limit.
@@ -65,17 +66,17 @@ struct Input {
   /// Friction table of a power input. The power is the torque from the table times the speed.
   std::shared_ptr<const FrictionTable> table{};
   TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other axes of `table`
-  Interval within{};  ///< range to which the power is limited [W]
+  Interval within{};  ///< range to which a calculated power is clipped [W]
   std::optional<Window> window{};
-  std::shared_ptr<const OwnEffect> formula{};  ///< user-defined function of columns
+  std::shared_ptr<const OwnEffect> formula{};  ///< input as a user-defined formula of columns
   std::vector<double> formula_values{};
 
   [[nodiscard]] bool is_power() const { return table != nullptr; }
   /// Returns true if the channel has no input.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
-  /// Returns the unit of the input in gains: unit() in the form for text, such as "K" or "m/min",
-  /// and key_unit() in the form for keys, such as "K" or "m_min". factor() returns the SI value of
-  /// this unit.
+  /// Returns the unit of the input to which gains refer: unit() in the form for text, such as "K"
+  /// or "m/min", and key_unit() in the form for keys, such as "K" or "m_min". factor() returns the
+  /// SI value of this unit.
   [[nodiscard]] std::string_view unit() const;
   [[nodiscard]] std::string_view key_unit() const;
   [[nodiscard]] double factor() const;
@@ -119,7 +120,8 @@ struct Effect {
   std::vector<double> values{};           ///< parameter values in the units of EffectCard
   /// User-defined effect; null for an effect of the catalogue.
   std::shared_ptr<const OwnEffect> own{};
-  bool off = false;  ///< true: user-defined effect that adds nothing and is only tested
+  /// True: user-defined effect that diagnose() and add() can test. The effect contributes nothing.
+  bool off = false;
 };
 
 /// State of the lags at the start of a record: zero (`rest`), or fitted to the readings (`free`).
@@ -129,7 +131,7 @@ enum class InitialState { rest, free };
   return state == InitialState::free ? "free" : "rest";
 }
 
-/// Prior of a parameter for the next fit, in the units of the files.
+/// Prior of a parameter for the next fit, in the unit of the parameter in the model file.
 struct NumberPrior {
   std::string name{};  ///< name of the parameter, such as "spindle.scale"
   record::Prior prior{};
@@ -168,7 +170,7 @@ struct Evidence {
   /// Rms of the readings after the mean of each run is subtracted [m].
   double uncorrected = unset;
   double duration = unset;  ///< longest time from first to last reading of a run [s]
-  bool one_way = false;     ///< true if the readings only rise once or only fall once
+  bool one_way = false;     ///< true if the readings change only once, in one direction
   /// True if `error` and `uncorrected` come from another record than the fit.
   bool other_record = false;
 };

@@ -30,7 +30,7 @@ struct Number {
 /// the model, so the model must live longer.
 [[nodiscard]] std::vector<Number> numbers(Model& model, const TimeConstantLimits& limits = {});
 
-/// Returns the parameters without pointers into the model.
+/// Returns copies of all parameters, without pointers into the model.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model,
                                                         const TimeConstantLimits& limits = {});
 

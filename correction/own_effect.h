@@ -11,8 +11,8 @@
 namespace raceway::correction {
 
 /// User-defined effect: a formula f of record columns, in the units of the columns. The effect adds
-/// K/(1 + tau s) f(columns, parameters) to the displacement, with a gain K and a time constant tau.
-/// Without a time constant, it adds K f.
+/// K/(1 + tau s) f(columns, parameters) to the displacement, with a gain K, a time constant tau and
+/// the Laplace variable s. Without a time constant, it adds K f.
 ///
 /// If the formula contains a temperature, the value of f in the first row of each run is
 /// subtracted. The formula uses the columns as recorded, so speeds and feeds keep their sign.

@@ -27,8 +27,9 @@ struct Still {
 
 /// Returns estimates of the true values of a sensor with coarse resolution. At a change of the
 /// reading, the true value is assumed halfway between the two readings. Between these changes, the
-/// function interpolates linearly. If the trend reverses between two changes, the value midway
-/// between them is the reading. `begins` is true at the first row of a run.
+/// function interpolates linearly. If the trend reverses between two changes, the true value is
+/// assumed equal to the reading at the time midway between them. `begins` is true at the first row
+/// of a run.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,
                                                  std::span<const double> values,
                                                  const std::vector<bool>& begins);

@@ -24,9 +24,9 @@ void see(Model& model, const record::Record& record);
 /// model.
 void forget_what_was_seen(Model& model);
 
-/// Returns a range in the data of the fit, unbounded if it is unknown. seen_of() is for a column
-/// [SI], with absolute values of speeds, feeds and the coolant state; seen_speed() for the speed
-/// [rpm]; seen_power() for the power of a channel [W].
+/// Returns the range of an input in the data of the fit. The range is unbounded if it is unknown.
+/// seen_of() is for a column [SI], with absolute values of speeds, feeds and the coolant state.
+/// seen_speed() is for the speed [rpm], and seen_power() for the power of a channel [W].
 [[nodiscard]] Interval seen_of(const Model& model, const Channel& column);
 [[nodiscard]] Interval seen_speed(const Model& model);
 [[nodiscard]] Interval seen_power(const Model& model, const DrivenChannel& channel);

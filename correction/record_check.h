@@ -29,8 +29,8 @@ struct RecordCheck {
   std::size_t readings = 0;  ///< number of readings of the displacement
   /// Scatter of the readings within a stop, a group of readings that are close in time.
   fit::Repeatability repeatability{};
-  /// Upper bound of the standard deviation of the noise, if no reading is repeated and readings are
-  /// more than 120 s apart [m]; otherwise NaN.
+  /// Upper bound of the standard deviation of the noise [m]; NaN if `repeatability` is known or
+  /// `reading_interval` is at most 120 s.
   double noise_at_most = unset;
   double reading_interval = unset;  ///< median time between two readings [s]
   /// Limits of time constants that the record can determine [s]: 3 times `sampling` and half of

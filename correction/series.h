@@ -51,7 +51,8 @@ class Series {
   [[nodiscard]] std::span<const int> zero() const { return zero_; }
   [[nodiscard]] int zeros() const { return zeros_; }
   [[nodiscard]] std::span<const double> speed_rpm() const { return speed_rpm_; }
-  /// Returns an empty span if coolant_on is not recorded.
+  /// Returns the value of coolant_on at every row. The span is empty if the record has no such
+  /// column.
   [[nodiscard]] std::span<const double> coolant() const { return coolant_; }
 
   using Values = std::shared_ptr<const std::vector<double>>;

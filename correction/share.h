@@ -48,7 +48,7 @@ using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
 /// Function that receives one term of the displacement [m]: `weight` times one value per row.
-/// Series stores the values, so calls with equal parameters receive the same object.
+/// Series stores the values: for equal parameters, the function receives the same object again.
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
 /// Simulates a contribution on a record and passes its terms to `sink`. Beyond the speed range

@@ -14,7 +14,7 @@ struct StepResponse {
   std::string name{};   ///< name of the channel or effect
   std::string input{};  ///< description of the input that steps
   double step = 1.0;    ///< size of the step in `unit`
-  std::string unit{};   ///< such as "K"; empty for an input without a unit
+  std::string unit{};   ///< such as "K"; "1" or empty for an input without a unit
   struct Part {
     std::string name{};   ///< "section 1", ..., "delay element", or the effect that adds the lag
     double gain = unset;  ///< final displacement after the step [m]
@@ -31,11 +31,12 @@ struct StepResponse {
 };
 
 /// Returns the step responses of all channels of a model and of all effects with a lag. The
-/// response of a channel includes the effects on this channel. The step is 1000 rpm for a
-/// speed, otherwise one unit of the input, such as 1 K, 1 W or 1 m/min. For a delay element, the
-/// steps are inputs of the record: the median of the inputs above zero, the largest input, and the
-/// lowest input below zero. Responses with published coefficients last half of the longest run.
-/// Effects without a lag and the kinematic law are left out.
+/// response of a channel includes the effects on this channel. The step is 1000 rpm for a speed,
+/// otherwise one unit of the input, such as 1 K, 1 W or 1 m/min. For a delay element, the steps are
+/// inputs of the record: the largest input, the median of the inputs above zero unless it is nearly
+/// equal to the largest input, and the lowest input below zero. Responses with published
+/// coefficients last half of the longest run. Effects without a lag and the kinematic law are left
+/// out.
 [[nodiscard]] std::vector<StepResponse> step_responses(const Model& model,
                                                        const record::Record& record);
 

@@ -27,8 +27,8 @@ struct TransferFunction {
 };
 
 /// Returns the function without the roots at exactly 1 that numerator and denominator share. In
-/// exact arithmetic these roots cancel; in floating point the output drifts, because a pole at 1
-/// never decays. Throws std::invalid_argument if a polynomial is empty, b(0) is not 1, a
+/// exact arithmetic these roots cancel. In floating point, the output would drift, because a pole
+/// at 1 never decays. Throws std::invalid_argument if a polynomial is empty, b(0) is not 1, a
 /// coefficient is not finite, or the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 

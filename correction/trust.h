@@ -35,15 +35,16 @@ struct Trust {
 /// Returns the level of trust for Model::evidence; `unknown` if the model has none. The first
 /// matching level is used:
 ///
-///   do not use    no readings were held out; the readings only rise once or only fall once; a time
-///                 constant exceeds the duration of the readings; the mean square of the error
+///   do not use    no readings were held out; the readings change only once, in one direction; a
+///                 time constant exceeds the duration of the readings; the mean square of the error
 ///                 exceeds half of the mean square of the displacement
 ///   within range  a time constant exceeds a third of this duration; the rms error exceeds the
 ///                 tolerance or, without a tolerance, a quarter of the rms displacement
 ///   good          otherwise
 ///
-/// If the error comes from another record (`Evidence::other_record`), the conditions on the
-/// duration and on readings that only rise or only fall once are not checked.
+/// The error is Evidence::error, and the rms displacement is Evidence::uncorrected. If the error
+/// comes from another record (`Evidence::other_record`), the conditions on the duration and on
+/// readings that change only once are not checked.
 /// Accuracy: the limits are our choice. The limits were tested on corrections fitted to the first 1
 /// to 12 h of data/corrections/exact: no correction with an rms residual above a fifth of the rms
 /// displacement in test.csv is rated good.

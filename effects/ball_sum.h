@@ -11,10 +11,10 @@ namespace raceway::effects {
 /// One loaded contact of a ball and a race.
 struct RollingContact {
   const bearing::HertzContact& hertz;
-  double load;           ///< Q [N]
-  double conformity;     ///< f = groove radius / ball diameter [1]
-  double radius_ratio;   ///< ratio R_z/R_x of the equivalent radii across and along the rolling
-                         ///< direction [1], >= 1
+  double load;        ///< Q [N]
+  double conformity;  ///< f = groove radius / ball diameter [1]
+  /// Ratio R_z/R_x of the equivalent radii across and along the rolling direction [1], >= 1.
+  double radius_ratio;
   double rolling_ratio;  ///< relative rolling speed over shaft speed, ω_roll/ω [1]
 };
 
@@ -38,10 +38,11 @@ struct RollingContact {
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
 /// ω_roll is the rolling speed at the inner (i) or outer (o) race, ω the shaft speed, and αi and αo
-/// are the contact angles. If a moment M resists rolling at a contact, the shaft supplies the power
-/// M ω_roll.
+/// are the contact angles. Seen from the cage, a ball rotates at the speed ω_R about an axis at the
+/// angle β to the bearing axis. ω_m is the speed of the cage (bearing/kinematics.h). If a moment M
+/// resists rolling at a contact, the shaft supplies the power M ω_roll.
 /// Source: rotation of the ball relative to the race, about the contact tangent across the rolling
-///         direction; ω_R, ω_m, β as in bearing/kinematics.h.
+///         direction.
 template <typename Value>
 double sum_over_contacts(const friction::BearingState<double>& s, const Value& value) {
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return unset;

@@ -15,9 +15,9 @@ namespace raceway::effects {
 ///
 /// x is the added axial load on a rig, or the radial growth in the sets of a shaft. c is the value
 /// of x at 10 000 rpm.
-/// Source:   derived. A thin free ring widens by ρ ω² r³/E (steel, r = 45 mm, 10 000 rpm: 3.7 um),
-///           with density ρ, radius r and elastic modulus E. At the edge of a solid disc, the
-///           growth is only (1 - ν)/4 of this value (ν: Poisson's ratio).
+/// Source:   derived. The radius r of a thin free ring grows by ρ ω² r³/E, with density ρ and
+///           elastic modulus E (steel, r = 45 mm, 10 000 rpm: 3.7 um). The radius of a solid disc
+///           grows only by (1 - ν)/4 of the growth of the ring (ν: Poisson's ratio).
 /// Domain:   every speed.
 struct RingGrowthAtSpeed {
   static constexpr std::string_view id = "centrifugal-ring-growth";

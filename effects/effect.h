@@ -38,18 +38,18 @@ using Parameter = record::NumberCard;
 enum class Need {
   speed_levels,         ///< more than one speed
   load_levels,          ///< more than one load
-  preload_levels,       ///< more than one preload of the sets
+  preload_levels,       ///< more than one preload of the sets; in a spindle, heat varies it
   viscosity_levels,     ///< more than one temperature
   time,                 ///< time of every row
   ring_temperatures,    ///< temperatures of inner and outer ring
-  loads,                ///< a load above zero in every row, because the ball equilibrium needs it
+  loads,                ///< on a rig: a load above zero in every row, for the ball equilibrium
   several_axial_loads,  ///< more than one axial load; several radial loads are not sufficient
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above
   ball_load_law,        ///< a law or an effect that uses ball loads, such as the law contact
   palmgren_law,         ///< a law other than table and skf; the law skf already contains the effect
   opposed_sets,         ///< bearings at both ends of the shaft
-  torque_standard,      ///< known torque that fixes the scale of the readings
+  torque_standard,      ///< known torque that fixes the scale of the readings; no record has it
   cold_friction         ///< a spindle whose friction is computed with the forces of the cold sets
 };
 
@@ -102,8 +102,9 @@ struct BaseLaw {
 struct Entry {
   double viscosity_40C, viscosity_100C;  ///< viscosities of the oil
   double temperature;                    ///< temperature of the row
-  double room;  ///< temperature at which a sensor has no error: room temperature of the rig, or
-                ///< temperature of the coldest row
+  /// Temperature at which a sensor has no error: room temperature of the rig, or temperature of the
+  /// coldest row.
+  double room;
 };
 
 /// Inputs of an effect on the condition of the bearing.
@@ -111,8 +112,9 @@ struct ConditionInputs {
   const bearing::Bearing& bearing;       ///< bearing without effects
   const bearing::OperatingPoint& point;  ///< operating point without effects
   const Record& record;
-  double power;  ///< friction power of the base law at the entered load [W]; see
-                 ///< Requirements::uses_power
+  /// Friction power of the base law at the entered load [W]; NaN if no effect uses it
+  /// (Requirements::uses_power).
+  double power;
 };
 
 /// Difference between the true and the entered condition of the bearing. The changes of several
@@ -121,10 +123,12 @@ struct Condition {
   double extra_axial_load = 0.0;  ///< added load in the direction of the entered axial load [N]
   double radial_growth = 0.0;     ///< growth of the inner raceway relative to the outer one [m]
   double tilt = 0.0;              ///< tilt of the inner ring about z, imposed by the shaft [rad]
-  double other_balls = 0.0;  ///< 0: entered ball material; 1: the other material (steel or silicon
-                             ///< nitride); values between interpolate [1]
-  double other_mounting = 0.0;  ///< 0: entered mounting of the sets; 1: the other mounting (rigid
-                                ///< or spring); values between interpolate [1]
+  /// 0: entered ball material; 1: the other material (steel or silicon nitride); values between
+  /// interpolate [1].
+  double other_balls = 0.0;
+  /// 0: entered mounting of the sets; 1: the other mounting (rigid or spring); values between
+  /// interpolate [1].
+  double other_mounting = 0.0;
   /// Relative error of the preload force: (real - entered)/entered [1].
   double preload_error = 0.0;
   [[nodiscard]] bool operator==(const Condition&) const = default;
@@ -155,12 +159,13 @@ struct MomentTangent {
   double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
 };
 
-/// Function that returns a stored tangent at or near a temperature [K].
+/// Function that returns a stored tangent for a temperature near the given one [K], or computes the
+/// tangent at the given temperature if none is stored.
 using TangentAbout = std::function<MomentTangent(double temperature)>;
 
 /// Inputs of an effect that adds a friction moment.
 struct MomentInputs {
-  /// Bearing state with the loads and the film viscosity that other effects have changed.
+  /// Bearing state. Loads and film viscosity already include the changes by other effects.
   const friction::BearingState<double>& state;
   friction::BaseMoments<double> base;  ///< moments of the base law in `state` [N m]
   const Record& record;
@@ -193,7 +198,7 @@ struct Card {
   std::string_view datum = {};
 };
 
-/// Requirements of an effect for the model and its data.
+/// Requirements that a model and its data must meet before an effect can be used.
 struct Requirements {
   std::span<const Need> needs = {};
   /// Channels that must have a number in every row, in addition to `needs`.
@@ -241,11 +246,11 @@ struct Exclusions {
 struct Nature {
   /// True if all rotating parts contribute to the effect. In a coast-down, the effect is then the
   /// drag of all these parts and is added once, not once per bearing. The plausible range is for
-  /// the bearing only.
+  /// the drag of a bearing alone.
   bool drags_on_the_rotor = false;
-  /// Exponent of the pitch diameter that scales the plausible range of the size. The stated range
-  /// is for a pitch diameter of 60 mm. With an exponent of 0, the range is the same for bearings of
-  /// all sizes.
+  /// Exponent p that adapts the plausible range of the effect's size parameter to the bearing. The
+  /// stated range is for a pitch diameter of 60 mm and is multiplied by (d_m/60 mm)^p. With p = 0,
+  /// the range is the same for bearings of all sizes.
   double size_power = 0.0;
   /// True if the effect increases and decreases as the machine warms up and cools down. The
   /// dependence on temperature, or the lag, distinguishes such an effect from other effects.
@@ -306,7 +311,7 @@ struct Actions {
 ///
 /// An effect with different laws for the sets of a shaft and for a bearing on a rig has two
 /// descriptions with the same id and separate parameters. The kind of model selects the
-/// description. A spindle uses the descriptions for a shaft, except effects that the computed
+/// description. A spindle uses the descriptions for a shaft, without the effects that the computed
 /// temperatures already include.
 struct Description : Card, Requirements, Exclusions, Nature, Actions {
   std::span<const Parameter> parameters = {};

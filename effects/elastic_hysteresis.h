@@ -18,7 +18,8 @@ using friction::contact::hysteresis_moment;
 /// c is a factor on the published law. For ω_roll/ω see sum_over_contacts().
 /// Source:   M_h as stated at hysteresis_moment(); ω_roll/ω from the balance of power, derived.
 /// Domain:   converged equilibrium, else NaN. The outer contacts also carry the centrifugal force.
-///           Only this force distinguishes the effect from the load moment of the base law.
+///           Only the centrifugal force distinguishes the effect from the load moment of the base
+///           law.
 struct ElasticHysteresis {
   static constexpr std::string_view id = "elastic-hysteresis";
   static constexpr std::string_view title = "hysteresis of the rolling contacts";

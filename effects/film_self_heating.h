@@ -16,8 +16,8 @@ namespace raceway::effects {
 /// T is the temperature of the row, R the thermal resistance between film and sensor, P the
 /// friction power, and ω the shaft speed. M is the viscous moment of the base law without other
 /// effects on the lubricant, or the whole moment of the contact law. Usually P falls as the
-/// temperature rises. There is then one solution, between T and T + R P(T). If P rises with
-/// temperature because asperities touch, the lowest solution is above T + R P(T).
+/// temperature rises. T_film then has one solution, between T and T + R P(T). If P rises with
+/// temperature because asperities touch, the lowest solution for T_film is above T + R P(T).
 /// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
 /// Domain:   speed >= 0, R >= 0. The data cannot distinguish self-heating from a temperature sensor
 ///           far from the film.

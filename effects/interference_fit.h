@@ -22,7 +22,7 @@ namespace raceway::effects {
 /// Source:   derived from Lamé for a ring of rectangular section on a solid shaft of the same
 ///           material. The second term of I is the growth of the bore relative to the shaft at
 ///           speed. The centrifugal growth of the raceway is a separate effect.
-/// Domain:   speed >= 0; the derivative with respect to ω jumps at the speed at which the ring
+/// Domain:   speed >= 0; the derivative of u with respect to ω jumps at the speed at which the ring
 ///           comes loose.
 ///
 /// In the sets of a shaft, the fit is part of the mounted state. A preload entered as a force

@@ -20,8 +20,9 @@ namespace raceway::effects {
 ///           side, or the expansion of the housing against the loading device, causes ten times
 ///           this drift.
 /// Domain:   loads not below zero. T is the temperature of the row (temperature_C); the temperature
-///           of the cell may differ. Another reference temperature than 20 °C would change only the
-///           fitted factor z of Palmgren's load moment.
+///           of the cell may differ. Under pure axial load, another reference temperature than
+///           20 °C would change the fitted c and the fitted factor z of Palmgren's load moment, but
+///           not the predicted torque.
 struct LoadCellDrift {
   static constexpr std::string_view id = "load-cell-drift";
   static constexpr Form form = Form::rig;

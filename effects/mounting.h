@@ -18,20 +18,20 @@ namespace raceway::effects {
 /// and e the thermal elongation of the shaft relative to the housing. The index 0 means: as
 /// mounted. d is -1 in an X arrangement, otherwise 1. K_r is the stiffness of the rear set as
 /// mounted. c interpolates between the entered mounting (c = 0) and the other mounting (c = 1). The
-/// seat is described by its softness s and its hardness h. For a rigid set, s = K_r/K and h = 1,
-/// where K is the stiffness of shaft and housing in series. For a spring of stiffness k, s = 1 and
-/// h = k/K_r; for a spring of constant force, h = 0. In bearing::Arrangement, the compliance 1/K is
-/// called c.
+/// seat is described by its softness s and its hardness h. The seat of a rigid set has s = K_r/K
+/// and h = 1, where K is the stiffness of shaft and housing in series. The seat of a spring of
+/// stiffness k has s = 1 and h = k/K_r. A spring of constant force has s = 1 and h = 0. In
+/// bearing::Arrangement, the compliance 1/K of shaft and housing is called c.
 ///
 /// In a rigid set, c is the share by which a spring in series reduces the variation of the preload,
 /// because rear set and seat together have the stiffness (1 - c) K_r. c = 0 is the set as entered,
-/// and c = 1 is a constant force. The mounted preload force always remains the value of the model.
+/// and c = 1 is a constant preload force. The mounted preload force always remains the value of the
+/// model.
 ///
 /// Source:   springs in series, derived.
-/// Domain:   0 <= c <= 1, sets at both ends. With c between 0 and 1, the housing is flexible, or
-/// the
-///           force of a spring depends on its length. With c = 1, the wrong mounting was
-///           entered.
+/// Domain:   0 <= c <= 1, sets at both ends. A value of c between 0 and 1 describes a flexible
+///           housing, or a spring whose force depends on its length. c = 1 means that the wrong
+///           mounting was entered.
 struct OtherMounting {
   static constexpr std::string_view id = "mounting";
   static constexpr Form form = Form::shaft;

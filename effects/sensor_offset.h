@@ -23,8 +23,9 @@ struct SensorOffset : SensorFault<card> {
   }
 };
 
-/// The offset equals seal-friction with slope zero, but the offset does not change sign with the
-/// direction of rotation.
+/// In one direction of rotation, the offset cannot be distinguished from seal-friction with slope
+/// zero. In the other direction, the friction torque of the seals changes its sign, and the offset
+/// does not.
 inline constexpr SensorCard<3> torque_offset{
     .channel = record::friction_torque,
     .id = "torque-offset",

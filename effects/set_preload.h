@@ -21,17 +21,17 @@ namespace raceway::effects {
 /// F1 is the axial force on the bearing that the external load F_a loads further, and F2 the axial
 /// force on the bearing that F_a relieves. P is the preload, and n the speed. F_rigid is F2 in a
 /// rigid pair (bearing/rigid_preload.h). The mounting u interpolates smoothly between three kinds
-/// of preload. u = 0 is a soft spring that keeps F2 at P. u = 1 is a rigid pair with the preload of
-/// standstill at every speed. u = 2 is a rigid pair whose preload grows with speed.
+/// of preload. u = 0 is a soft spring that keeps F2 at P. u = 1 is a rigid pair whose forces do not
+/// change with speed. u = 2 is a rigid pair whose preload grows with speed.
 ///
 /// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The
-///           exponent 4/3 comes from Palmgren's load moment with y = 1/3.
+///           exponent 4/3 comes from Palmgren's load moment with the load exponent y = 1/3.
 /// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure axial load.
-/// Accuracy: exact for the sum of both load moments with y = 1/3. For other laws and for effects
-///           that use ball loads, the load is an average over both bearings.
-/// Trap:     with this load, the law gives the sum of the moments of both bearings. For a rig with
-///           two bearings, the program adds this sum twice. The fitted z is therefore half of the z
-///           of one bearing.
+/// Accuracy: exact for the sum of both load moments with the exponent y = 1/3. For other laws and
+///           for effects that use ball loads, the load is an average over both bearings.
+/// Trap:     with the changed F_a, the law gives the sum of the moments of both bearings. For a rig
+///           with two bearings, the program counts the sum of both moments twice. The fitted factor
+///           z of the load moment is therefore half of the z of one bearing.
 struct SetPreload {
   static constexpr std::string_view id = "set-preload";
   static constexpr Form form = Form::rig;

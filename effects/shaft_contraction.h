@@ -17,14 +17,15 @@ namespace raceway::effects {
 /// radius. ν, ρ and E are Poisson's ratio, density and elastic modulus. The tool side moves back,
 /// against a positive axial displacement u.
 ///
-/// Source:   derived without the stress field. The radial equilibrium is
-///           d(r² σ_r)/dr = r (σ_r + σ_θ) - ρ ω² r³. With no pressure at the radii a and b, its
-///           integral gives ρ ω² (a² + b²)/2 as the mean of σ_r + σ_θ over the section. Without
-///           axial force, the mean axial strain is -ν/E times this mean. Example: steel, a = 15 mm,
-///           b = 35 mm, 10 000 rpm: 9 um per metre.
+/// Source:   derived without solving for the stresses. The radial equilibrium is
+///           d(r² σ_r)/dr = r (σ_r + σ_θ) - ρ ω² r³. With no pressure at the radii a and b, the
+///           integral of the equilibrium gives ρ ω² (a² + b²)/2 as the mean of σ_r + σ_θ over the
+///           section. Without axial force, the mean axial strain is -ν/E times the mean of
+///           σ_r + σ_θ. Example: a steel shaft with a = 15 mm and b = 35 mm contracts by 9 um per
+///           metre at 10 000 rpm.
 /// Domain:   every speed, no lag. The shaft between the sets shortens by the same strain and
-///           changes the load of the sets as a colder shaft would. The model neglects this load,
-///           because it has no shaft radii.
+///           changes the load of the sets as a colder shaft would. The model neglects this change
+///           of load, because it does not contain the radii of the shaft.
 struct ShaftContraction {
   static constexpr std::string_view id = "shaft-contraction";
   static constexpr std::string_view title = "shortening of the shaft with speed";

@@ -20,8 +20,9 @@ struct SpindleCondition {
   /// Heat into the shaft at the nose, between the face of the housing and bearing 1.
   double seal_heat = 0.0;
   double front_bearing_heat = 0.0;  ///< heat into the raceways of the front set
-  double rear_bearing_heat = 0.0;   ///< heat into the raceways of the roller bearing behind the
-                                    ///< rear set, or of the rear set without such a roller bearing
+  /// Heat into the raceways of the roller bearing behind the rear set, or of the rear set without
+  /// such a roller bearing.
+  double rear_bearing_heat = 0.0;
   /// Exponents of the speed for the added motor and drive heat [1].
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
   /// Conductance of a cooled sleeve that the model lacks [W/K]: from the housing to the coolant at

@@ -8,16 +8,17 @@
 
 namespace raceway::effects {
 
-/// Cooled sleeve around a spindle that the model lacks [W/K].
+/// Conductance of a cooled sleeve around the spindle, if the model has no such sleeve [W/K].
 ///
 ///   q = G (T_housing - T_in)
 ///
-/// T_in is the inlet temperature, or the ambient temperature if the model has no coolant. The heat
-/// flow is distributed over the length of the sleeve: the space between the sets, and the share
-/// `reach` of the length of the bearings.
+/// q is the heat flow from the housing to the coolant, and G the conductance. T_in is the inlet
+/// temperature, or the ambient temperature if the model has no coolant. The heat flow is
+/// distributed over the length of the sleeve: the space between the sets, and the share `reach` of
+/// the length of the bearings.
 ///
-/// Source:   definition, convection to a fluid of uniform temperature. 2 l/min of water carry
-///           140 W/K.
+/// Source:   definition, convection to a fluid of uniform temperature. 2 l/min of water absorb
+///           140 W per kelvin of temperature rise.
 /// Domain:   G >= 0. The law ignores the pump: the sleeve cools even when the pump is off. To
 ///           distinguish a sleeve from other effects, compare readings with the pump on and off.
 struct SleeveCoolant {

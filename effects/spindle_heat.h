@@ -18,11 +18,11 @@ struct SpindleHeatCard {
   Parameter size;
 };
 
-/// Heat in a spindle that the model lacks [W].
+/// Heat flow into a spindle from a source that the model does not contain [W].
 ///
 ///   q = W n/10 000 rpm
 ///
-/// W is the heat at 10 000 rpm.
+/// q is the heat flow at the speed n, and W the heat flow at 10 000 rpm.
 /// Source:   assumes a constant loss moment. Losses in a rotor and in air grow with a higher power
 ///           of the speed.
 /// Domain:   speed >= 0, zero at standstill. The heat is added to the heat sources of the model.

@@ -12,6 +12,7 @@ namespace raceway::effects {
 ///
 ///   T_read = T + c
 ///
+/// T_read is the recorded temperature, T the film temperature, and c the offset.
 /// Source:   definition. Type K thermocouples are accurate to 1.5 K; together with the instrument,
 ///           to 3 to 5 K.
 /// Domain:   every temperature.
@@ -48,6 +49,7 @@ struct TemperatureOffset {
 ///
 ///   T_read = T_room + s (T - T_room)
 ///
+/// T_read is the recorded temperature, T the film temperature, and s the measured share.
 /// Source:   steady heat conduction from the film past the sensor to the room; s is a ratio of
 ///           thermal resistances.
 /// Domain:   s > 0; T_room is the value stated for the rig, or the temperature of the coldest row

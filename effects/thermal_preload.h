@@ -9,15 +9,16 @@
 namespace raceway::effects {
 
 /// Common law of the forms for a rig and for a shaft: the temperature difference of the rings
-/// increases the preload. x is the added axial load or the radial growth. M1 and M0 are the load
-/// moment and the viscous moment.
+/// increases the preload.
 ///
 ///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
 ///
+/// x is the added axial load on a rig, or the radial growth in the sets of a shaft. c is a fitted
+/// factor, and P the friction power. M1 is the load moment, M0 the viscous moment, and ω the speed.
 /// Source:   steady heat flow: the temperature difference of the rings is proportional to the
 ///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 describe the loop of heat,
 ///           growth and preload). P is computed at the load without the effect, so that the loop
-///           does not diverge.
+///           of heat and preload does not diverge.
 /// Domain:   speed >= 0.
 struct PreloadByOwnHeat {
   static constexpr std::string_view id = "thermal-preload";

@@ -17,6 +17,7 @@ namespace raceway::effects {
 ///
 ///   M_read = M + c t/1 h
 ///
+/// M is the true torque, and c the drift per hour.
 /// Source:   definition. Possible causes: an amplifier that warms up, a sensor that is zeroed each
 ///           morning.
 /// Domain:   needs the time of every row. t begins at the start of the day, after a pause of more
@@ -59,6 +60,7 @@ struct TorqueCreep {
 ///
 ///   M_read = M + c/2  speed reached from below,   M - c/2  from above
 ///
+/// M is the true torque, and c the difference between the two readings.
 /// Source:   definition. Possible causes: a sensor with hysteresis, a support that sticks.
 /// Domain:   needs the time of every row. The first speed of a run, and the first speed after a
 ///           change of the axial load, are assumed to be reached from below (Record::direction).

@@ -18,8 +18,9 @@ namespace raceway::effects {
 ///
 /// Source:   moment of a turning cylinder of radius R and length L in a gap, C_f π ρ ω² R⁴ L, with
 ///           the air density ρ and the friction coefficient C_f ~ Re^-0.2 (Bilgen and Boulos,
-///           turbulent). The exponent is therefore 2 - 0.2; c is fitted.
-/// Domain:   speed >= 0. Below Re of about 10 000, the exponent approaches 1.5.
+///           turbulent; Re: Reynolds number). The exponent is therefore 2 - 0.2; c is fitted.
+/// Domain:   speed >= 0. Below a Reynolds number of about 10 000, the exponent of the speed
+///           approaches 1.5.
 struct Windage {
   static constexpr std::string_view id = "windage";
   static constexpr std::string_view title = "air friction";

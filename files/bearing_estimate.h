@@ -23,7 +23,7 @@ struct BearingOutline {
 };
 
 /// An estimated value with lower and upper limits. The limits come from the smallest and the
-/// largest ratio in the catalogue rows that were used.
+/// largest ratio in the catalogue rows that were used; the limits of the conformity are fixed.
 struct Estimate {
   double value = unset;
   double lower = unset, upper = unset;
@@ -36,8 +36,8 @@ struct EstimatedBearing {
   Estimate static_load_rating;  ///< [N]
   std::size_t rows = 0;         ///< number of catalogue rows used for the ratios
   bool like_section = true;     ///< true: only rows of bearings with similar section were used
-  bool like_series = true;      ///< false: the dimension series is known, but no catalogue row
-                                ///< belongs to it
+  /// False: the dimension series is known, but no catalogue row belongs to it.
+  bool like_series = true;
 };
 
 /// Returns the contact angle and the ball material that a designation states (files/designation.h),
@@ -53,12 +53,12 @@ struct EstimatedBearing {
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///
 /// d is the bore, D the outer diameter, d_m the pitch diameter, C0 the static load rating, and α
-/// the contact angle. The ratios k, φ and c are medians over the rows. The ball diameter D_w is
-/// rounded to 1/32 inch, the step of ball sizes. If the number of balls Z is known, D_w = φ π d_m /
-/// Z before rounding. Manufacturers do not publish the conformity. The estimate is 0.52, with the
-/// range 0.517 to 0.54 that reproduces the published rigidities of bearing pairs by GMN (`raceway
-/// calibrate BEARING`). Throws InputError if d or D is missing, if D is not between 1.1 d and 5 d,
-/// or if no row has a contact angle.
+/// the contact angle. The ratios k, φ and c are medians over the catalogue rows. The ball diameter
+/// D_w is rounded to 1/32 inch, the step of ball sizes. If the number of balls Z is known,
+/// D_w = φ π d_m / Z before rounding. Manufacturers do not publish the conformity. The estimated
+/// conformity is 0.52, with the range 0.517 to 0.54 that reproduces the published rigidities of
+/// bearing pairs by GMN (`raceway calibrate BEARING`). Throws InputError if d or D is missing, if D
+/// is not between 1.1 d and 5 d, or if no row has a contact angle.
 [[nodiscard]] EstimatedBearing estimated_bearing(const BearingOutline& outline,
                                                  const std::vector<CatalogueBearing>& rows);
 

@@ -14,9 +14,9 @@ struct BoundaryDimensions {
 /// series is "18", "19", "10", "02" or "03" (width series and diameter series). The bore code is,
 /// for example, "14" for 70 mm. The largest bore is 200 mm (series 03: 120 mm).
 ///
-/// Source:   ISO 15, from secondary sources: series 10 and 19 to 130 mm from NTN-SNR (ULTAGE, 7000
-///           and 7900) and [GMN4000], series 02 to 100 mm from GB/T 276. All other sizes were not
-///           compared with a publication.
+/// Source:   ISO 15, from secondary sources: series 10 and 19 up to a bore of 130 mm from NTN-SNR
+///           (ULTAGE, 7000 and 7900) and [GMN4000], series 02 up to a bore of 100 mm from GB/T 276.
+///           All other sizes were not compared with a publication.
 [[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
     std::string_view dimension_series, std::string_view bore_code);
 

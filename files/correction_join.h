@@ -11,10 +11,10 @@ namespace raceway::files {
 /// Text of a joined correction file, with notes for the user.
 struct JoinedCorrection {
   std::string text;
-  std::vector<NamedFile> files{};     ///< files that the text names; only filled if `path` of
-                                      ///< join_corrections() is empty
-  std::vector<record::Note> notes{};  ///< notes on unused tables, and a note that the trust in the
-                                      ///< sum is unknown
+  /// Files that the text names; only filled if `path` of join_corrections() is empty.
+  std::vector<NamedFile> files{};
+  /// Notes on unused tables, and a note that the trust in the sum is unknown.
+  std::vector<record::Note> notes{};
 };
 
 /// Returns a correction file whose prediction is the sum of the corrections of several files for

@@ -22,12 +22,13 @@ namespace raceway::files {
 /// 06981 (E 200); Schaeffler, Super Precision Bearings, SP 1; Barden, MRO Catalog C8A, p. 4; NSK,
 /// Super Precision Bearings, E1254; NTN, Precision Rolling Bearings, 2260, p. 56, and ULTAGE, 7000
 /// and 7900; GMN, High Precision Ball Bearings, 4001. Text copies of the given pages of Barden and
-/// NTN were seen. The publications of SKF are known only by title, and all others were not seen.
+/// NTN were seen. The publications of SKF are known only by title. The other listed publications
+/// were not seen.
 /// The codes for angle, balls and preload of NSK, NTN and FAG were compared with tables of dealers.
 /// The angle digits of SNFA were not checked.
 struct Designation {
-  std::string series{};          ///< series as written, such as "70", "719" or "VEX"; for GMN "60"
-                                 ///< or "619"
+  /// Series as written, such as "70", "719" or "VEX"; for GMN "60" or "619".
+  std::string series{};
   std::string dimensions{};      ///< dimension series of ISO 15: "10", "19"; empty where unknown
   std::string bore_code{};       ///< bore code: "14"
   double contact_angle = unset;  ///< contact angle [rad]; NaN if not stated
@@ -36,8 +37,8 @@ struct Designation {
   std::string ball_code{};    ///< code of ceramic balls: "HC"
   std::string preload{};      ///< preload class: "light", "medium", "heavy" or "extra light"
   std::string arrangement{};  ///< arrangement of a set: "DB", "DF", "DT"
-  std::string other_type{};   ///< type of a bearing without angular contact: "a cylindrical roller
-                              ///< bearing"
+  /// Type of a bearing without angular contact: "a cylindrical roller bearing".
+  std::string other_type{};
 
   /// Returns the size of the bearing: "6014" for "B7014-C"; empty if not known.
   [[nodiscard]] std::string size() const;

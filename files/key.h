@@ -37,8 +37,9 @@ struct Required {};
 
 /// Default for a key that a model file does not contain.
 struct Default {
-  double value = unset;      ///< default number, in the unit of the key. If it is NaN and `words`
-                             ///< is empty, the key has no default
+  /// Default number, in the unit of the key. If it is NaN and `words` is empty, the key has no
+  /// default.
+  double value = unset;
   std::string_view words{};  ///< one of the allowed texts, or a description of the default
   bool required = false;     ///< true: the key has no default, and its table must contain it
 
@@ -52,7 +53,7 @@ struct Default {
 };
 
 struct Key {
-  std::string_view name;  ///< name with unit; the user replaces a part in capitals
+  std::string_view name;  ///< name with unit; capitals such as NAME stand for a name of the user
   Form form;
   Default fallback;
   std::string_view meaning;

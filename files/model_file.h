@@ -87,8 +87,8 @@ struct KeyValue {
 
 /// Contents and comments of a new model file.
 struct ModelRemarks {
-  std::string title{};  ///< title of the file; if empty, the title says that the file contains all
-                        ///< defaults
+  /// Title of the file; if empty, the title says that the file contains all defaults.
+  std::string title{};
   std::string ball_material = "steel";
   /// Comments for single keys, in place of the usual comments.
   std::vector<std::pair<std::string_view, std::string>> of_key{};

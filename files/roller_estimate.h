@@ -34,9 +34,9 @@ struct EstimatedRollers {
 ///
 /// γ = D_w/d_m. In the formula for Z from C0, C0 is in N, and lengths are in mm.
 ///
-/// Accuracy: the rating C calculated with these rollers agrees with the published C within 2.1 %
-///           for eight of eleven sizes. The calculated C is 5.6 % too high for N1013 and 16 % too
-///           low for N1022 and N1024. The estimate does not use the published C.
+/// Accuracy: the load rating C calculated with these rollers agrees with the published C within
+///           2.1 % for eight of eleven sizes. The calculated C is 5.6 % too high for N1013 and 16 %
+///           too low for N1022 and N1024. The estimate does not use the published C.
 /// Throws InputError for another series, and for a size without known boundary dimensions.
 [[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation);
 

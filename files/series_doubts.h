@@ -16,15 +16,15 @@ namespace raceway::files {
 ///                days under two conditions: in this unit the record is longer than the time
 ///                constant, and the lags of the model explain the readings much better.
 /// Temperatures:  values between 220 and 470 C look like kelvin. Values below 220 C look like
-///                Fahrenheit if no sensor reads less than 59 C, or if an ambient sensor never reads
-///                50 C or less. A single sensor that never reads 45 C or less looks like Fahrenheit
-///                if its lowest reading, converted from Fahrenheit, is within 1.5 K of the lowest
-///                reading of all sensors.
+///                Fahrenheit if no sensor ever reads less than 59 C, or if all readings of an
+///                ambient sensor are above 50 C. A single sensor whose readings are all above 45 C
+///                looks like Fahrenheit if its lowest reading, converted from Fahrenheit, is within
+///                1.5 K of the lowest reading of the coldest sensor.
 /// Displacements: the test divides the range of a displacement by the range of the temperature that
-///                varies most. Ratios below 0.02 or above 300 um/K look like mm, m or nm (angles:
-///                arcsec, mrad, deg or rad), if the ratio in this unit is 0.05 to 100 um/K
-///                (urad/K). There is no test if the temperature range is 2 K or less, or if there
-///                is already a question about time or a temperature.
+///                varies most. A displacement of less than 0.02 or more than 300 um/K looks like
+///                mm, m or nm (an angle: arcsec, mrad, deg or rad), if it is 0.05 to 100 um/K
+///                (urad/K) in this unit. Displacements are not tested if the temperature range is
+///                2 K or less, or if there is already a question about time or a temperature.
 [[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
                                                const std::vector<correction::Model>& models);
 

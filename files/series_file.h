@@ -19,7 +19,7 @@ namespace raceway::files {
 ///
 /// Throws InputError if time_s is missing or does not rise within a run, if a column of `needed` is
 /// missing, if a column name looks misspelt, and for cells that are empty, not numbers or outside
-/// the allowed range. One message shows the first ten of these cells and the number of the others.
+/// the allowed range. One message shows the first ten invalid cells and counts the others.
 [[nodiscard]] record::Record read_series(const Source& source,
                                          const std::vector<const record::Channel*>& wanted,
                                          const std::vector<const record::Channel*>& needed,

@@ -23,7 +23,7 @@ struct CostlyFit {
 /// Rules that end a fit.
 struct CostlyEnd {
   double settled = 1e-4;  ///< relative fall of the misfit below which a step is no progress [1]
-  /// If a step is no progress and the misfit is above this value, the fit ends. It does not compute
+  /// If a step is no progress and the misfit is above this value, the fit ends without computing
   /// new derivatives for another step.
   double hopeless = std::numeric_limits<double>::infinity();
   /// True if the fit stops as soon as the derivatives predict a relative fall below `settled`. The
@@ -51,10 +51,10 @@ class CostlyProblem {
   /// Fits a model with candidates, starting from `base`, the fit without them. The parameters of
   /// `base` come first, then the parameters of the candidates. `sizes` are the indices of the
   /// parameters that give the candidates their sizes. `initial` contains start values of all
-  /// parameters, with sizes that are not neutral. If a size ends at a bound, or the misfit falls by
-  /// less than 10 %, a second fit begins at the values at which `base` started, because the fitted
-  /// values of `base` may compensate for the missing effect. The second fit runs only if these two
-  /// sets of values are far apart and the derivatives predict a smaller misfit.
+  /// parameters, with sizes that differ from their neutral values. If a size ends at a bound, or
+  /// the misfit falls by less than 10 %, a second fit begins at the values at which `base` started,
+  /// because the fitted values of `base` may compensate for the missing effect. The second fit runs
+  /// only if these two sets of values are far apart and the derivatives predict a smaller misfit.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues `fit`, a fit of all parameters, until `end`.
@@ -73,10 +73,10 @@ class CostlyProblem {
   /// parameters. `is_fresh` is true if these derivatives are difference quotients at `best`.
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
-  /// Switches the candidates on at the end of another fit, and computes the derivatives with
-  /// respect to their sizes. For each candidate, the function predicts the readings with a changed
-  /// size. The result contains the parameter values with the smallest misfit among these
-  /// predictions and the prediction without candidates.
+  /// Switches the candidates on at the fitted values of `base`, a fit without them, and computes
+  /// the derivatives with respect to their sizes. For each candidate, the function predicts the
+  /// readings with a changed size. The result contains the parameter values with the smallest
+  /// misfit among these predictions and the prediction without candidates.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;
@@ -92,7 +92,8 @@ class CostlyProblem {
   [[nodiscard]] Range range_of(const Eigen::VectorXd& values) const;
   void find_bounds(SeparableFit& fit) const;
   [[nodiscard]] Eigen::MatrixXd on_scales(Eigen::MatrixXd slope, const Eigen::VectorXd& at) const;
-  /// Returns the size of one unit of the scale, in the unit of the parameter.
+  /// Returns the change of the parameter per unit of its scaled value, in the unit of the
+  /// parameter.
   [[nodiscard]] double unit_of(std::size_t parameter, double value) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;

@@ -5,7 +5,7 @@
 
 #include "record/record.h"
 
-/// Averages the rows of a logger over dwells. A dwell is a period at one operating point.
+/// Averages the rows of a logged record over dwells. A dwell is a period at one operating point.
 namespace raceway::fit {
 
 /// Number of original rows whose mean is a row of an averaged record; 1 for a row outside dwells.
@@ -30,7 +30,7 @@ struct Averaged {
   std::size_t rows = 0;     ///< number of rows before averaging
   std::size_t dwells = 0;   ///< number of rows that are means; a split dwell gives several rows
   std::size_t alone = 0;    ///< number of unchanged rows outside dwells
-  std::size_t split = 0;    ///< number of dwells split because their temperature drifted
+  std::size_t split = 0;    ///< number of dwells split because a temperature drifted
   /// Correlation time of the scatter of rows within dwells [s]; NaN if unknown or if the rows are
   /// not correlated.
   double correlation_time = unset;
@@ -54,11 +54,11 @@ struct Averaged {
 ///
 ///   s² [ w/m + (1 - w)/m² sum_ik φ^|i-k| ]
 ///
-/// The standard deviation s, the correlation φ and the share w of uncorrelated scatter come from a
-/// restricted maximum likelihood estimate. The estimate uses the deviations of the rows from the
-/// mean of their dwell, or from the trend of the dwell if a temperature drifts. s is proportional
-/// to a power (0 to 2) of the reading. The column dwell_scatter contains the standard deviation of
-/// each mean.
+/// The standard deviation s, the correlation φ of successive rows and the share w of uncorrelated
+/// scatter come from a restricted maximum likelihood estimate. The estimate uses the deviations of
+/// the rows from the mean of their dwell, or from the trend of the dwell if a temperature drifts. s
+/// is proportional to a power (0 to 2) of the reading. The column dwell_scatter contains the
+/// standard deviation of each mean.
 [[nodiscard]] Averaged average_dwells(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -7,7 +7,7 @@
 
 #include "record/record.h"
 
-/// Removes readings that are certainly wrong from time records.
+/// Removes readings and rows that are certainly wrong from records.
 namespace raceway::fit {
 
 /// Criteria for isolated readings.
@@ -16,7 +16,7 @@ struct Isolation {
   /// too.
   bool steady = true;
   /// Distance of a reading from both neighbours that no change of speed can explain, divided by the
-  /// range of the other readings, without the extreme hundredth at either end [1].
+  /// range of the readings without their outermost 1 % at either end [1].
   double impossible = 3.0;
 };
 

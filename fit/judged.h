@@ -21,7 +21,7 @@ struct Surface {
     /// Value of the input in each row, or a function of this value such as its logarithm. The
     /// misfit is a smooth function of these values.
     std::vector<double> values;
-    double least = 0.0;  ///< an input with a smaller range is treated as constant
+    double least = 0.0;  ///< an input whose values span less than this is constant
   };
   std::vector<Input> inputs{};
   std::vector<std::vector<int>> terms{};  ///< for each term, the exponent of every input
@@ -29,10 +29,10 @@ struct Surface {
 
 /// Terms of the saturated regression, from which the noise is estimated. The regression has so many
 /// terms that it describes any missing effect, so its residuals are noise. If there are too few
-/// rows for all terms, the first terms are used.
+/// rows for all terms, only the first terms are used.
 struct Saturation {
   Surface surface{};
-  std::vector<const Channel*> levels{};  ///< inputs of which each level is an additional term
+  std::vector<const Channel*> levels{};  ///< each level of these inputs is an additional term
   bool levels_before_candidates = false;
   /// True if every candidate changes the readings in proportion to its size. The change for a small
   /// size (Screened::scores) then gives the change for every size.
@@ -42,7 +42,7 @@ struct Saturation {
 /// Quantity with a value in each row. To test a modified law, the program multiplies the law of an
 /// effect by a power of this quantity.
 struct Factor {
-  std::string name;            ///< name for people: "speed"
+  std::string name;            ///< name in texts: "speed"
   std::vector<double> values;  ///< value in each row
 };
 
@@ -141,7 +141,7 @@ class Judged {
   /// values over the measured range of every setting. The result is empty if the model has no use
   /// for single points, for example if a reading depends on earlier rows.
   [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
-  /// Returns a measuring point as text. Default: "995 rpm, 100 N".
+  /// Returns a measuring point as text. Default: values with units, as in "995 rpm, 100 N".
   [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;
   /// Returns the names of further quantities that would separate the sets of effects `rivals` if
   /// they were recorded. Default: none.

@@ -5,7 +5,8 @@
 
 namespace raceway::fit {
 
-/// Linear least-squares problem min |r - A d|². It is stored with as many rows as unknowns.
+/// Linear least-squares problem min |r - A d|². A and r are stored in an equivalent form with at
+/// most as many rows as unknowns.
 class LeastSquares {
  public:
   LeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& r);

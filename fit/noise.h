@@ -66,7 +66,7 @@ struct Repeatability {
 /// Otherwise, the standard deviation comes from the distances of readings from the line between
 /// their neighbours in time. In this case, the result is NaN if fewer than 30 readings have both
 /// neighbours in their run, or if the median time step exceeds 120 s, because noise and real motion
-/// cannot be separated.
+/// could then not be separated.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 

@@ -17,33 +17,34 @@ namespace raceway::fit {
 /// s_i is the standard deviation of reading y_i, and n_i the value of the swept input, usually the
 /// speed. For single rows, a_i is 1. For means over dwells, a_i comes from the scatter within the
 /// dwell, and this part of the noise is independent of other readings. b_i is the change of reading
-/// i when each input that scatters changes by its step (record::step_of()). a and b are divided by
-/// their RMS. Whitening describes the correlation. If standard deviations are declared, they give
-/// the relative sizes of all s_i. The noise is estimated from the residuals of a saturated
-/// regression (Saturation). The misfit of a physical model is never used, because missing physics
-/// would then appear as noise.
+/// i when each input that scatters changes by its step (record::step_of()). All a_i are divided by
+/// their RMS, and so are all b_i. The class Whitening describes the correlation of the noise. If
+/// standard deviations are declared, they give the relative sizes of all s_i. The noise is
+/// estimated from the residuals of a saturated regression (Saturation). The misfit of a physical
+/// model is never used, because missing physics would then appear as noise.
 struct NoiseModel {
-  /// Proportional part of the standard deviation, divided by the reading, at n_max [1].
+  /// Proportional part of the standard deviation, divided by the reading, at the largest value
+  /// n_max of the swept input [1].
   double relative = 0.0;
   double growth = 0.0;             ///< p: exponent of the swept input [1]
-  const Channel* swept = nullptr;  ///< n; null if no input is swept over a wide range
-  double largest_swept = unset;    ///< n_max [SI]
-  double absolute = 0.0;           ///< RMS of the part that does not grow with the reading [SI]
-  double input = 0.0;              ///< RMS of the part from the scatter of inputs [SI]
-  double correlation = 0.0;  ///< φ: correlation of readings at a distance of `median_step` [1]
-  double run_share = 0.0;    ///< share of the variance from an offset of each run [1]
+  const Channel* swept = nullptr;  ///< n: swept input; null if none is swept over a wide range
+  double largest_swept = unset;    ///< n_max: largest value of the swept input [SI]
+  double absolute = 0.0;           ///< RMS of the noise that does not grow with the reading [SI]
+  double input = 0.0;              ///< RMS of the noise from the scatter of inputs [SI]
+  double correlation = 0.0;  ///< φ: correlation of the noise at a distance of `median_step` [1]
+  double run_share = 0.0;    ///< share of the noise variance from an offset of each run [1]
   /// Size of run offsets that are equal for all readings of a run [SI]. The variance of the offsets
   /// is `run_share` times the square of this size. The size is 0 if the offset of a reading is
   /// proportional to its standard deviation.
   double run_unit = 0.0;
-  double state_share = 0.0;           ///< share of the variance from an offset of each dwell [1]
+  double state_share = 0.0;           ///< share of the noise variance from dwell offsets [1]
   double degrees_of_freedom = unset;  ///< degrees of freedom of the estimated variance
   Whitening whitening{};
   /// Whitenings with other noise parameters that the readings also allow. A verdict must be valid
   /// with each of them.
   std::vector<Whitening> allowed{};
   /// True if the data cannot show offsets of runs, for example because a setting changes whenever
-  /// the run changes. `run_share` is then at least 0.5.
+  /// the run changes. `run_share` is then at least 0.5 (1 - `state_share`).
   bool unknown_runs = false;
   /// True if `run_share` describes blocks of rows that are not declared as runs
   /// (RowOrder::new_block).
@@ -54,7 +55,7 @@ struct NoiseModel {
   /// Factor by which the standard deviations of each joined record are multiplied [1]; empty if all
   /// records have the same scatter.
   std::vector<double> records{};
-  double rms = unset;          ///< RMS of all s_i [SI]
+  double rms = unset;          ///< RMS of the standard deviations s_i [SI]
   double median_step = unset;  ///< median time between readings; `correlation` refers to it [s]
   /// F statistic and p-value of the test whether repeated readings scatter more than this noise
   /// [1]; NaN below 8 degrees of freedom.
@@ -88,7 +89,7 @@ struct ChannelReadings {
   Eigen::VectorXd measured{};  ///< readings [SI]
   /// Declared standard deviations [SI]; empty unless every reading has one.
   Eigen::VectorXd std{};
-  bool known = false;  ///< true if `std` is as good as exact (Column::known)
+  bool known = false;  ///< true if `std` is treated as exact (Column::known)
   /// Change of each reading when each input that scatters changes by its step (record::step_of()):
   /// root of the sum of squares over these inputs [SI]; empty if no input scatters.
   Eigen::VectorXd slope{};
@@ -112,10 +113,11 @@ struct ChannelReadings {
 
 /// Estimates the noise of one channel by restricted maximum likelihood. `columns` are the terms of
 /// the saturated regression at the readings [SI], with full rank. `size` is a typical size of each
-/// reading [SI, > 0]. An outlier is a reading at least as improbable as a normal variable beyond
-/// 3.5 standard deviations. Its weight falls with its distance, and it adds no degree of freedom.
-/// The function tests for growth of the scatter with the swept input before it calls a reading an
-/// outlier. Readings that gather at one level of a setting are not outliers.
+/// reading [SI, > 0]. An outlier is a reading whose residual is at least as improbable as a normal
+/// variable beyond 3.5 standard deviations. Its weight falls with the size of the residual, and it
+/// adds no degree of freedom. The function tests for growth of the scatter with the swept input
+/// before it calls a reading an outlier. If more of these readings lie at one level of a setting
+/// than chance explains, they are not outliers.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,

@@ -19,8 +19,8 @@ struct Cancelled : std::exception {
 /// Candidate, and its influence on the readings.
 struct Screened {
   Candidate candidate{};
-  bool one_sided = false;  ///< true if only one sign of the size is physical
-  double unit_size = 1.0;  ///< typical difference between the size and its neutral value
+  bool one_sided = false;  ///< true if the size can lie on one side of its neutral value only
+  double unit_size = 1.0;  ///< typical signed difference of the size from its neutral value
   /// Change of the readings if the size differs from its neutral value by `unit_size`, linearised
   /// at the neutral value [SI, not whitened]. The matrix has one column for each tested set of
   /// values of the other parameters of the candidate. Columns without a change are left out. If no

@@ -17,10 +17,10 @@ namespace raceway::fit {
 /// numerical.
 ///
 /// Many models are linear in their parameters, plus a constant (affine). find_affine_form()
-/// compares such a form with the predictions at points within the bounds. If both agree to
+/// compares an affine form with the predictions at points within the bounds. If both agree to
 /// rounding, `constant + slope x` is stored, and fits need no iteration.
 struct Response {
-  std::vector<Parameter> parameters{};  ///< arguments; fits begin at Parameter::start
+  std::vector<Parameter> parameters{};  ///< arguments; Parameter::start is their start value
   /// Predicted observations [SI]; NaN for a missing prediction.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 

@@ -12,15 +12,15 @@
 namespace raceway::fit {
 
 /// Returns the names of the settings that vary between runs but are constant within every run:
-/// "axial load". The text is empty if there are none, or fewer than two runs. With
+/// "axial load". The text is empty if there are no such settings or fewer than two runs. With
 /// `each_in_one_run`, it names only settings whose value is different in every run.
 [[nodiscard]] std::string nested_settings(const Record& record, bool each_in_one_run = false);
 
-/// Returns the row indices in the standard order of a diagnosis, which does not depend on the order
-/// in the record. If all rows have a time, they are sorted by time (within runs, if runs overlap in
-/// time), then by settings and readings. Otherwise they are sorted by run, then by settings and
-/// readings. Joined records remain separate. A record without time and runs keeps its order if its
-/// rows sweep one input at successive levels of another setting.
+/// Returns the row indices in the standard order of a diagnosis, so that the order in the record
+/// has no influence. If all rows have a time, they are sorted by time (within runs, if runs overlap
+/// in time), then by settings and readings. Otherwise they are sorted by run, then by settings and
+/// readings. Joined records remain separate. One exception: a record without time and runs keeps
+/// its order if its rows sweep one input at successive levels of another setting.
 [[nodiscard]] std::vector<std::size_t> order_of_rows(const Record& record);
 
 /// Returns the time steps between the readings of these rows, the starts of runs, and blocks that

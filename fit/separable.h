@@ -35,7 +35,7 @@ struct Means {
 /// one block only. With a width of 0, each row is a mean.
 [[nodiscard]] Means means_of(const Subject& subject, const Record& record, double width);
 
-/// Result of a fit of means. The predictions are linear in some of the parameters.
+/// Result of a fit to means (Means). The predictions are linear in some of the parameters.
 struct SeparableFit {
   bool converged = false;
   int iterations = 0;
@@ -55,10 +55,11 @@ struct SeparableFit {
 ///
 /// A ridge of 1e-6 on columns of unit length prevents the gains of two lags with nearly equal time
 /// constants from becoming very large with opposite signs. A prior (value ± std) of a parameter v
-/// adds w (v - value)²/std² to the sum, where w is the variance of a weighted mean. The fitted v is
-/// therefore near the prior, unless the means determine v better than the prior. The object stores
-/// the latest predictions and computes only those again that a changed bending parameter affects
-/// (Predictor::bends()). Several threads must therefore not use one object at the same time.
+/// adds w (v - value)²/std² to the sum, where w is the variance of the weighted residuals,
+/// corrected for their correlation. The fitted v is therefore near the prior, unless the means
+/// determine v better than the prior. The object stores the latest predictions and computes only
+/// those again that a changed bending parameter affects (Predictor::bends()). Several threads must
+/// therefore not use one object at the same time.
 class Separable {
  public:
   /// `record` and `prepared` are the arguments of Subject::predictor(). All arguments must live
@@ -80,10 +81,11 @@ class Separable {
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;
-  /// Returns the fall of the misfit if the linear parameter with the index `size` is fitted, for
-  /// each value in `tried` of the bending parameter with the index `place`. That bending parameter
-  /// has an influence only if the linear parameter is not zero. The other linear parameters are
-  /// refitted; the other bending parameters keep their values.
+  /// Sets the bending parameter with the index `place` to each value in `tried`. Returns, for each
+  /// of these values, the fall of the misfit when the linear parameter with the index `size` is
+  /// fitted instead of zero. The bending parameter has an influence only if this linear parameter
+  /// is not zero. The other linear parameters are refitted; the other bending parameters keep their
+  /// values.
   [[nodiscard]] std::vector<double> falls(Eigen::VectorXd values, std::size_t size,
                                           std::size_t place,
                                           const std::vector<double>& tried) const;
@@ -95,8 +97,9 @@ class Separable {
 
  private:
   /// Predicted means with all linear parameters at zero (`constant`), and the change of the
-  /// predicted means per unit of each linear parameter (`columns`). If `values` is not empty, all
-  /// members are valid for these values and exclude the held-out block.
+  /// predicted means per unit of each linear parameter (`columns`). If `values` is empty, the other
+  /// members are not valid. Otherwise they are valid for these values and exclude the held-out
+  /// block.
   struct Basis {
     Eigen::VectorXd values;
     Eigen::VectorXd constant;
@@ -115,10 +118,11 @@ class Separable {
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
   void read_priors(const Eigen::VectorXd& values, Eigen::VectorXd& readings) const;
   [[nodiscard]] SeparableFit without_priors(SeparableFit fit) const;
-  /// Returns at() with the residuals of the priors after the residuals of the means.
+  /// Returns the result of at(), in which the residuals of the priors follow the residuals of the
+  /// means.
   [[nodiscard]] SeparableFit with_priors(const Eigen::VectorXd& values, int left_out,
                                          double ridge) const;
-  /// Returns the stored basis after updating it to these values and weights.
+  /// Returns the stored basis after updating it for these values and this held-out block.
   const Basis& basis(Eigen::VectorXd values, int left_out) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;

@@ -37,8 +37,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
   /// Returns a model in which data that may differ between records (Candidate::of_each_record),
-  /// such as the oil, are also own parameters. Returns null without own parameters, and if there
-  /// are no such data that the record can determine.
+  /// such as the oil, are also own parameters. Returns null if there are no own parameters, or no
+  /// such data that the record can determine.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 
@@ -100,7 +100,8 @@ class SeveralRecords : public Subject {
   struct Place {
     std::size_t own, record;
   };
-  /// Returns the place of a name that belongs to an own parameter of a record.
+  /// Returns the place of an own parameter with this name, such as "f0@monday"; empty for any other
+  /// name.
   [[nodiscard]] std::optional<Place> place_of(const std::string& name) const;
   [[nodiscard]] std::string name_of(const Place& place) const;
   /// Returns a copy with another model for these records.

@@ -39,7 +39,7 @@ class SobolDesign {
 };
 
 /// Shares of the variance of a function that one input causes [1]. `first_error` and `total_error`
-/// are half the width of a 95 % interval.
+/// are the half widths of 95 % intervals.
 struct SobolIndex {
   double first = unset, first_error = unset;  ///< share of this input alone
   /// Share of this input and of all its interactions with other inputs.

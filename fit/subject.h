@@ -23,9 +23,9 @@ using record::Parameter;
 /// Channel that a model predicts, and properties of its readings that are known before a fit.
 struct Measured {
   const Channel* channel = nullptr;
-  /// Size of a reading, divided by the RMS of all readings, below which the scatter no longer falls
-  /// with the reading [1]. The value is 1 if the scatter of the sensor does not depend on the
-  /// reading.
+  /// Limit of the size of a reading, divided by the RMS of all readings [1]. Below this limit, the
+  /// scatter does not fall with the reading. The value is 1 if the scatter of the sensor does not
+  /// depend on the reading.
   double floor = 1.0;
   /// Largest relative standard deviation of the sensor at equal settings [1]. A larger scatter
   /// comes from an input that was not recorded. NaN if unknown.
@@ -42,7 +42,7 @@ struct Measured {
   /// Subject::approximates()). Tests against the noise of readings are then meaningless.
   bool approximate = false;
   /// True if the zero of the readings is arbitrary. The mean error is then subtracted from the
-  /// errors.
+  /// errors before their RMS is calculated.
   bool any_zero = false;
   /// RMS error that is acceptable to users of the model [SI]; NaN if not given.
   double tolerance = unset;
@@ -74,8 +74,8 @@ class Predictor {
 struct Candidate {
   std::string id;
   std::vector<Parameter> parameters{};  ///< parameters, named "id.name"
-  /// Index of the parameter that gives the candidate its size. If it is at Parameter::neutral, the
-  /// candidate changes nothing.
+  /// Index of the parameter that gives the candidate its size. If this parameter has its neutral
+  /// value (Parameter::neutral), the candidate changes nothing.
   std::size_t size = 0;
   /// True if the candidate corrects the base law of the model. If several candidates explain the
   /// misfit, a verdict names corrections of the base law before physical effects.
@@ -84,14 +84,15 @@ struct Candidate {
   bool empirical = false;       ///< true: a shape that describes the misfit without a physical law
   bool of_each_record = false;  ///< true: a datum that may differ between joined records
   bool of_time = false;         ///< true: the effect depends on the time of a row
-  /// Allowed values of each parameter, in ascending order. An empty list, or an empty entry for one
-  /// parameter, allows all values within its bounds. In a model that only approximates the
-  /// readings, a parameter with allowed values is the position of a change, such as the time of a
-  /// jump. The preceding linear parameter is the size of this change. If a candidate has several
-  /// such positions, each position after the first is used only if it reduces the misfit by more
-  /// than 15 %.
+  /// Allowed values of each parameter, in ascending order. An empty entry allows all values within
+  /// the bounds of its parameter; an empty list does so for all parameters. In a model that only
+  /// approximates the readings, a parameter with allowed values is the position of a change, such
+  /// as the time of a jump. The preceding linear parameter is the size of this change. If a
+  /// candidate has several such positions, each position after the first is used only if it reduces
+  /// the misfit by more than 15 %.
   std::vector<std::vector<double>> only{};
-  /// True if the candidate only corrects this record and does not apply to other records.
+  /// True if the candidate describes a fault of this record only, such as a jump of the sensor
+  /// zero. It does not apply to other records.
   bool of_reading = false;
   /// True if the id names the column of the record that drives the candidate. Two candidates with
   /// different columns are then different explanations.
@@ -125,8 +126,8 @@ class Subject;
 /// Another base law that may replace the base law of a model.
 struct OtherBase {
   std::string id;     ///< id for add()
-  std::string words;  ///< name in model files
-  /// Model with this base law and its usual parameters free; null if data are missing (see
+  std::string words;  ///< name of the base law in model files
+  /// Model with this base law, whose usual parameters are free; null if data are missing (see
   /// `lacks`).
   std::shared_ptr<const Subject> subject{};
   std::string lacks{};  ///< data that this base law needs and that the model lacks
@@ -177,7 +178,7 @@ class Subject : public Judged {
   // Candidates for missing effects.
   [[nodiscard]] virtual std::vector<Candidate> candidates() const = 0;
   /// Returns the ids of all known effects, including effects that the model already has or
-  /// excludes. Default: the candidates.
+  /// excludes. Default: the ids of candidates().
   [[nodiscard]] virtual std::vector<std::string> catalogue() const;
   /// Returns a copy with these candidates switched on, in this order, at their initial values.
   /// Throws std::invalid_argument for an id that is not a candidate; the message gives the nearest

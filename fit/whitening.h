@@ -37,18 +37,19 @@ struct RowOrder {
 /// proportional to s_i, r_i is 1. If the sensor is set to zero before each run, the offset is equal
 /// for all readings of the run: r_i = u/s_i with the size u of the run offsets [SI], and the
 /// variance of a reading differs from s_i². A part of the noise may be independent of neighbours.
-/// In the correlation above, c_i s_i then replaces s_i, and the variance of the independent part is
+/// In the equation above, c_i s_i then replaces s_i, and the variance of the independent part is
 /// s_i² (1 - c_i²).
 ///
 /// The transformed readings are the innovations of a Kalman filter, divided by their standard
-/// deviations. The state of the filter is the autoregression and both offsets. The transformation
-/// is exact and needs time and memory proportional to the number of rows.
+/// deviations. The state of the filter consists of the autoregressive noise, the run offset and the
+/// dwell offset. The transformation is exact and needs time and memory proportional to the number
+/// of rows.
 class Whitening {
  public:
   Whitening() = default;
-  /// `std` contains s_i [SI]. `correlation` is φ, `run_share` is g and `state_share` is h; all are
-  /// in [0, 1), and g + h is below 1. `common` contains c_i, in (0, 1]; if it is empty, c_i is 1.
-  /// `run_unit` is u [SI]; if it is 0, r_i is 1.
+  /// The symbols are those of the equation above. `std` contains s_i [SI]. `correlation` is φ,
+  /// `run_share` is g and `state_share` is h; all are in [0, 1), and g + h is below 1. `common`
+  /// contains c_i, in (0, 1]; if it is empty, c_i is 1. `run_unit` is u [SI]; if it is 0, r_i is 1.
   Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share,
             double state_share = 0.0, const Eigen::VectorXd& common = {}, double run_unit = 0.0);
   /// Combines the whitenings of several channels, whose readings follow one another and have

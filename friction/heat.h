@@ -39,12 +39,13 @@ struct HeatSplit {
 ///
 /// Each sum is over the balls that touch the race; v is the rolling speed at the contact. All heat
 /// of an inner contact is assigned to the inner ring, including the heat that flows into the ball.
-/// The split of spin friction is exact. The other splits are assumptions: load friction is
-/// proportional to contact load times rolling path, viscous friction to the rolling path only
-/// (equal films at both races). At low speed, Q and v are equal at both contacts, so each ring gets
-/// half of these losses. Each ring also gets half if no ball is loaded. μ is
-/// HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s. ω is the shaft speed, ω_m
-/// the orbital speed of the balls.
+/// The split of spin friction is exact. The splits of load and viscous friction are assumptions:
+/// load friction is proportional to contact load times rolling path, viscous friction to the
+/// rolling path only (equal films at both races). At low speed, Q and v are equal at both contacts,
+/// so each ring gets half of the load and viscous friction. If no ball is loaded, each ring also
+/// gets half of this friction.
+/// The coefficient μ is HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s. The
+/// shaft speed is ω, the orbital speed of the balls ω_m.
 ///
 /// Domain:   the heat is NaN without a converged equilibrium, and zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,

@@ -30,10 +30,10 @@ enum class Supply { oil_air, grease, jet, bath };
 /// Source:   [ASTMD341, eqs. 1 to 3].
 /// Domain:   ν at 40 °C from 1 to 100 000 mm²/s; ν at 100 °C at least 0.5 mm²/s and below ν at 40
 ///           °C; T > 0. The source covers liquid hydrocarbons from -70 to 370 °C and ν above 0.21
-///           mm²/s. Outside this range, ν continues to fall with T, towards 0.1 mm²/s.
-/// Accuracy: the code agrees with the equations to rounding error. From 50 to 80 °C, it agrees
-///           within 3 % with the viscosities in [KRW2006] for an oil of 100 mm²/s at 40 °C. Near
-///           the pour point a real oil is thicker.
+///           mm²/s. At higher temperatures, ν continues to fall with T, towards 0.1 mm²/s.
+/// Accuracy: the code agrees with the equations to rounding error. From 50 to 80 °C, the computed
+///           viscosities agree within 3 % with [KRW2006] for an oil of 100 mm²/s at 40 °C. Near the
+///           pour point, the viscosity of a real oil is higher than computed.
 class Lubricant {
  public:
   /// Viscosities are in m²/s. Throws std::invalid_argument if one is missing or out of range; the

@@ -95,11 +95,12 @@ T f1_ratio(const BearingState<T>& s) {
 /// If BearingState::f1_load is F_b, f1 = z (F_b/C0)^y. With the same z, the moment under pure
 /// thrust is then 1.7 to 1.9 times as large at contact angles of 25 to 15 deg. A value of z for P0
 /// is not valid for F_b.
-/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 = z
-///           (P0/C0)^y is in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for angular
-///           contact. Other makers use z up to 0.001. The form with F_b is in [CaseStudy, eqs. 20,
-///           21].
-/// Domain:   F_b >= 0, zero at zero load; C0 given (require_data() in friction_law.h).
+/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. The
+///           formula f1 = z (P0/C0)^y is in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33
+///           for angular contact. Other makers use z up to 0.001. The formula f1 = z (F_b/C0)^y is
+///           in [CaseStudy, eqs. 20, 21].
+/// Domain:   F_b >= 0; the moment is zero at zero load. C0 must be given (require_data() in
+///           friction_law.h).
 /// Accuracy: the code agrees with the formula to rounding error. For one bearing type, z differs by
 ///           up to 50 % between makers; calibration fits z.
 struct PalmgrenLoad {

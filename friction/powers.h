@@ -20,7 +20,8 @@ namespace raceway::friction {
 /// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47, with
 ///           dimensionless speed U and load W [BibouletHoupert2010]. The exponents of a bearing
 ///           have no published values; they are fitted.
-/// Domain:   the measured speeds, loads and temperatures. The moment is zero at zero load.
+/// Domain:   the speeds, loads and temperatures of the fitted measurements. The moment is zero at
+///           zero load.
 /// Accuracy: as accurate as the fit within the measured range; unknown outside this range.
 struct PowersViscous {
   static constexpr std::array parameters{Parameter{.name = "viscous_exponent",
@@ -56,7 +57,7 @@ struct PowersViscous {
 ///
 ///   M = 1/(2 Z) Σ M_p(Z Q sin α0)
 ///
-/// The formula is for the load moment and for the viscous moment. The sum is over the inner and
+/// The formula applies to the load moment and to the viscous moment. The sum is over the inner and
 /// outer contacts of all Z balls. Q is the load of a contact. M_p(F_a) is the moment of the law
 /// `powers` under the thrust F_a alone. At low speed, the contact angles are near α0, and under
 /// pure thrust F_a, M is nearly M_p(F_a). At high speed, the centrifugal force increases the loads

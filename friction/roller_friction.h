@@ -43,10 +43,11 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 ///
 ///   M1 = f1 F d_m
 ///
-/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. f1 =
-///           0.0003 comes from the public program thermca, after Jungnickel. The usual range of
-///           f1, 0.0002 to 0.0004, is from memory.
-/// Domain:   F >= 0. f1 is constant; for ball bearings, f1 is z (P0/C0)^y.
+/// F is counted_load(), and d_m is the pitch diameter.
+/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the prints. The value
+///           f1 = 0.0003 comes from the public program thermca, after Jungnickel. The usual range
+///           of f1, 0.0002 to 0.0004, is from memory.
+/// Domain:   F >= 0. The factor f1 is constant; for ball bearings, f1 is z (P0/C0)^y.
 struct RollerPalmgrenLoad {
   static constexpr std::array parameters{
       Parameter{.name = "f1", .unit = "1", .initial = 0.0003, .lower = 0.0, .upper = 0.01}};

@@ -106,13 +106,14 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///
 /// The formula is in its published units: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]. The
 /// code converts these units. φ_ish is inlet_shear_factor(), φ_rs is replenishment_factor(), and
-/// F_a is the external axial load. For ceramic balls, R3 is multiplied by skf_ball_factor().
+/// F_r and F_a are the external loads. F_g accounts for inertia forces of the balls. For
+/// ceramic balls, R3 is multiplied by skf_ball_factor().
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Some constants
 ///           differ in editions since 2013.
 /// Domain:   speed >= 0, viscosity > 0, contact angle > 0. The moment is zero at standstill, where
-///           the formula has an infinite derivative with respect to speed. There the code returns
-///           zero derivatives if T is a type for automatic differentiation.
-/// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
+///           the formula has an infinite derivative with respect to speed. At standstill, the code
+///           returns zero derivatives if T is a type for automatic differentiation.
+/// Accuracy: the code agrees with the formula to rounding error; SKF states no accuracy.
 struct SkfRolling {
   static constexpr std::string_view id = "skf_rolling";
   static constexpr std::array parameters{
@@ -145,11 +146,12 @@ struct SkfRolling {
 ///   M_sl = μ_sl S1 d_m^0.26 ((F_r + F_g)^(4/3) + S2 F_a^(4/3)),   F_g = S3 d_m^4 n²
 ///
 /// The formula is in its published units: M_sl [N mm], d_m [mm], F [N], n [rpm]. The code converts
-/// these units. μ_bl is about 0.15. μ_EHL is 0.05 with mineral oil, 0.04 with synthetic oil and 0.1
-/// with transmission fluid.
+/// these units. F_r and F_a are the external loads. F_g accounts for inertia forces of the balls.
+/// The usual value of μ_bl is about 0.15. The usual value of μ_EHL is 0.05 with mineral oil, 0.04
+/// with synthetic oil and 0.1 with transmission fluid.
 /// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact).
 /// Domain:   speed >= 0, viscosity > 0, contact angle > 0. At standstill, μ_sl is μ_bl.
-/// Accuracy: the code agrees with the formula to rounding error; the maker states no accuracy.
+/// Accuracy: the code agrees with the formula to rounding error; SKF states no accuracy.
 struct SkfSliding {
   static constexpr std::string_view id = "skf_sliding";
   static constexpr std::array parameters{

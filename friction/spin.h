@@ -20,16 +20,16 @@ namespace raceway::friction {
 /// k = sqrt(1 - (b/a)²). For a circular contact M_s / μ = (3 π/16) Q a.
 ///
 /// Source:   [Harris2006, vol. 2, ch. 5; CaseStudy, eq. 23].
-/// Domain:   every load; 0 where Q <= 0.
+/// Domain:   every load; the moment is 0 for Q <= 0.
 /// Accuracy: the code agrees with the formula to rounding error. Physical assumptions: one friction
 ///           coefficient over the whole ellipse, and no sliding except spin. Additional sliding in
-///           another direction lowers the true moment.
+///           another direction lowers the true spin moment.
 [[nodiscard]] inline double unit_spin_moment(const bearing::HertzContact& contact, double load) {
   if (load <= 0.0) return 0.0;
   return 0.375 * load * contact.semi_major_axis(load) * contact.second_integral;
 }
 
-/// One value for the inner and one for the outer contacts.
+/// Quantity with one value for the inner and one value for the outer contacts.
 struct ContactPair {
   double inner = 0.0;
   double outer = 0.0;
@@ -40,13 +40,15 @@ struct ContactPair {
 ///
 ///   M / μ = Σ (3/8) Q a E(k) ω_s/ω      over the balls, at the inner and at the outer contact
 ///
-/// The moment times the shaft speed equals the total power of all contacts at their spin speeds.
-/// Spin moments are values for one contact, so this law needs a sum over the balls. Under outer
-/// control only the inner contacts spin; under inner control only the outer contacts spin.
+/// ω_s is the spin speed of a contact and ω the shaft speed; unit_spin_moment() describes Q, a and
+/// E(k). The moment times the shaft speed equals the total power of all contacts at their spin
+/// speeds. Spin moments are values for one contact, so this law needs a sum over the balls. Under
+/// outer control only the inner contacts spin; under inner control only the outer contacts spin.
 ///
-/// Source:   power balance of unit_spin_moment(); ω_s by [Jones1960] as in bearing/kinematics.h.
-/// Domain:   converged equilibrium, else NaN. ω_s/ω depends only on the contact angles, so at
-///           standstill the moment is the limit for slow rotation.
+/// Source:   derived from unit_spin_moment() by a power balance; ω_s by [Jones1960] as in
+///           bearing/kinematics.h.
+/// Domain:   the moment is NaN without a converged equilibrium. At standstill, the moment is the
+///           limit as the speed approaches zero, because ω_s/ω depends only on the contact angles.
 [[nodiscard]] inline ContactPair unit_spin_friction(const bearing::Bearing& bearing,
                                                     const bearing::BearingEquilibrium& equilibrium,
                                                     bearing::RaceControl race_control) {

@@ -14,9 +14,9 @@ struct ContactData;
 struct TorqueTable;
 
 /// Load in Palmgren's load moment. For balls, F1Load is the load in the factor f1: the static
-/// equivalent load P0, as in the source, or F_b, for files whose z belongs to F_b. For cylindrical
-/// rollers, F1Load is the load F: the external radial load F_r or the load on the rollers, see
-/// counted_load().
+/// equivalent load P0, as in [KRW2006], or F_b, for model files whose factor z is a value for F_b.
+/// For cylindrical rollers, F1Load is the load F: the external radial load F_r or the load on the
+/// rollers, see counted_load().
 enum class F1Load { P0, F_b, F_r, rollers };
 
 /// All inputs of a friction law for one bearing at one operating point. T is double or a type for

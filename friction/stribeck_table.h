@@ -31,8 +31,9 @@ void validate(const TableAxes& axes);
 /// Values at one point of a table.
 struct TablePoint {
   /// Status of the point: the status of an equilibrium that did not converge; otherwise
-  /// `converged`, or `not_finite` if a moment, loss or position is not finite. A friction law that
-  /// does not use the equilibrium gives a moment even if the balls have no equilibrium.
+  /// `converged`, or `not_finite` if a moment, power loss or shaft position is not finite. A
+  /// friction law that does not use the equilibrium gives a moment even if the balls have no
+  /// equilibrium.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
   std::span<double> columns;       ///< additional values, in the order of StribeckTable::columns
@@ -75,7 +76,7 @@ struct StribeckTable {
   [[nodiscard]] std::size_t points() const { return slab.points(axes.size()); }
   /// Index of the first point of this slab in the whole table.
   [[nodiscard]] std::size_t first() const { return slab.first(axes.size()); }
-  /// Operating point of a point by its index in the whole table.
+  /// Operating point of a table point, from the index of this point in the whole table.
   [[nodiscard]] bearing::OperatingPoint point(std::size_t index) const;
   /// Additional values of a point by its index within the slab, in the order of `columns`.
   [[nodiscard]] std::span<const double> row(std::size_t index) const;
@@ -129,13 +130,14 @@ struct InterpolatedMoment {
 /// point without a value.
 ///
 /// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
-/// Domain:   the closed range of each axis, with a relative margin of 1e-9 for rounding of units.
-///           The function throws std::invalid_argument for a slab instead of a whole table. With
-///           any `outside`, it also throws if a member of `position` is not finite.
-/// Accuracy: exact at grid points. For equal spacing h the error is of order h³, and of order h²
-///           near the ends and near an extremum. Along a grid line, the moment is monotone where
-///           the values of the grid points are monotone. Between grid lines, the moment is usually
-///           monotone, but not always.
+/// Domain:   the closed range of each axis, with a relative margin of 1e-9 for rounding in unit
+///           conversions. The function throws std::invalid_argument if `table` is a slab and not a
+///           whole table. With either value of `outside`, the function also throws if a member of
+///           `position` is not finite.
+/// Accuracy: the moment is exact at grid points. For equal spacing h of the grid points, the error
+///           is of order h³, and of order h² near the ends of an axis and near an extremum. Along a
+///           grid line, the moment is monotone where the values of the grid points are monotone.
+///           Between grid lines, the moment is usually monotone, but not always.
 [[nodiscard]] InterpolatedMoment interpolate(const StribeckTable& table,
                                              const TablePosition& position, Outside outside);
 

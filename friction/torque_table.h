@@ -17,8 +17,8 @@ namespace raceway::friction {
 /// Domain:   outside the range of an axis, the moment at the edge is used, so beyond the highest
 ///           speed the power is proportional to speed. holds() is false for such a state. An input
 ///           without an axis in the file may have any value.
-/// Accuracy: at the grid points, the half width `band` if the file gives one; between the grid
-///           points, see interpolate().
+/// Accuracy: at the grid points, the uncertainty is the half width `band` if the file gives one;
+///           between the grid points, see interpolate().
 struct TorqueTable {
   static constexpr std::array parameters{
       Parameter{.name = "scale", .unit = "1", .initial = 1.0, .lower = 0.01, .upper = 100.0}};

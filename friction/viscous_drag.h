@@ -15,11 +15,11 @@ inline constexpr double medium_nu_n = 300000.0;
 ///   M0 = 1e-7 f0 (ν n)^(2/3) d_m³      ν n >= 2000
 ///   M0 = 160e-7 f0 d_m³                ν n <  2000
 ///
-/// The formulas are in their published units: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]. The
-/// function converts these units.
+/// The formulas are in their published units: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]. The function
+/// converts these units. The factor f0 depends on bearing type and lubrication.
 /// Source:   [Palmgren1959; CaseStudy, eq. 22].
 /// Domain:   speed >= 0, viscosity > 0. At ν n = 2000 the two published formulas differ by 0.8 %.
-///           The second formula is valid down to standstill.
+///           The formula for ν n < 2000 is valid down to standstill.
 template <typename T>
 T palmgren_viscous_moment(const T& f0, const T& viscosity, const T& speed, double pitch_diameter) {
   using std::pow;

@@ -12,7 +12,7 @@ namespace raceway::life {
 /// Source:   [ISO281, eqs. 28, 29], as quoted in two texts, not checked against the print. The
 ///           published formulas differ by 2.3 % at 1000 rpm. Makers' diagrams have values up
 ///           to 16 % lower.
-/// Domain:   speed > 0; infinite at standstill.
+/// Domain:   speed > 0; ν1 is infinite at standstill.
 [[nodiscard]] double rated_viscosity(double speed, double pitch_diameter);
 
 /// Viscosity ratio κ = ν/ν1 [1], with ν1 from rated_viscosity().
@@ -51,7 +51,8 @@ namespace raceway::life {
 /// Domain:   90 to 99.95 %; NaN outside.
 [[nodiscard]] double reliability_factor(double reliability_percent);
 
-/// Converts a life in millions of revolutions to hours at a speed [rad/s]; infinite at standstill.
+/// Converts a life in millions of revolutions to hours at a speed [rad/s]. The life in hours is
+/// infinite at standstill.
 [[nodiscard]] double life_hours(double million_revolutions, double speed);
 
 }  // namespace raceway::life

@@ -54,7 +54,7 @@ struct RaceRatings {
 /// Source:   basis of [ISO76]: a dent of 1e-4 D at 4200 MPa. The pressure is proportional to the
 ///           cube root of the load. The limit is a pressure, so the formula also applies to hybrid
 ///           bearings. Makers use a higher limit for hybrid bearings.
-/// Domain:   p_max > 0; infinite at 0.
+/// Domain:   p_max > 0; s is infinite at p_max = 0.
 [[nodiscard]] double static_safety(double peak_pressure);
 
 }  // namespace raceway::life

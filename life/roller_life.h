@@ -9,22 +9,22 @@ namespace raceway::life {
 ///   f_c = 207.9 · 0.83 γ^(2/9) (1-γ)^(29/27)/(1+γ)^(1/4) (1 + (1.04 r)^4.5)^(-2/9)
 ///   r = ((1-γ)/(1+γ))^(143/108),   γ = D/d_m
 ///
-/// Source: [ISO281], from memory. The formula agrees with six values of the published table to 0.1
-///         %.
+/// Source: [ISO281], quoted from memory. The formula agrees with six values of the published table
+///         to 0.1 %.
 [[nodiscard]] double roller_rating_factor(double diameter_ratio);
 
 /// Dynamic load rating C = 1.1 f_c L^(7/9) Z^(3/4) D^(29/27) [N], with the effective length L and
-/// the diameter D of the Z rollers in mm. Source: [ISO281], from memory.
+/// the diameter D of the Z rollers in mm. Source: [ISO281], quoted from memory.
 /// Accuracy: the code agrees with the formula to rounding error. Makers define the effective length
 ///           differently, so the load rating C of makers differs.
 [[nodiscard]] double dynamic_load_rating(const bearing::RollerGeometry& geometry);
 
 /// Static load rating C0 of the geometry if it is given, else 44 (1 - γ) Z L D [N], with L and D in
-/// mm. Source: [ISO76], from memory.
+/// mm. Source: [ISO76], quoted from memory.
 [[nodiscard]] double static_load_rating(const bearing::RollerGeometry& geometry);
 
 /// Fatigue load limit C_u = C0/8.2 [N]; above d_m = 100 mm, multiplied by (100 mm/d_m)^0.3. Source:
-/// [ISO281], from memory.
+/// [ISO281], quoted from memory.
 [[nodiscard]] double fatigue_load(const bearing::RollerGeometry& geometry);
 
 /// Dynamic roller load ratings of the races, for a million revolutions [N].
@@ -32,7 +32,7 @@ namespace raceway::life {
 ///   Q_ci = C/(0.83 · 0.378 Z) (1 + T^4.5)^(2/9),   Q_ce = C/(0.83 · 0.364 Z) (1 + T^-4.5)^(2/9)
 ///   T = 1.038 r, with r of roller_rating_factor()
 ///
-/// Source: [ISO16281], as in an open program, not checked against the print.
+/// Source: [ISO16281], as an open-source program implements it, not checked against the print.
 struct RollerRatings {
   double inner = unset, outer = unset;
 };
@@ -43,8 +43,8 @@ struct RollerRatings {
 ///
 ///   1 - 0.01/ln(1.985 |2k - ns - 1|/(2 ns - 2)),  k = lamina + 1, ns = 41;  1 in the middle
 ///
-/// Source: [ISO16281], as in an open program. The factor for the outer ring in that program is
-///         wrong.
+/// Source: [ISO16281], as an open-source program implements it. The program has a wrong factor for
+///         the outer ring.
 [[nodiscard]] double edge_factor(std::size_t lamina);
 
 /// Reference rating life from the loads of all slices, in millions of revolutions [1].

@@ -8,8 +8,8 @@
 
 namespace raceway::loop {
 
-/// Result of check(): contents of a record, and the effects and parameters that the record can
-/// test.
+/// Result of check(): contents of a record, parameters that can be fitted to the record, and
+/// effects that the record can test.
 struct Check {
   struct Column {
     const record::Channel* channel = nullptr;
@@ -27,7 +27,7 @@ struct Check {
     std::string id;
     std::string ruled_out;  ///< reason why the effect cannot act in this model; empty if it can
     std::string missing;    ///< input that the record or the model lacks; empty if testable
-    std::string levels;     ///< levels of inputs that the record lacks; empty if none
+    std::string levels;     ///< input levels that a test needs and the record lacks; empty if none
   };
   int rows = 0, runs = 0;
   /// Measured channels of the record: first the channels that the model predicts, then the others.
@@ -42,8 +42,9 @@ struct Check {
   std::vector<Testable> catalogue;
 };
 
-/// Checks which effects and parameters a record can test. `judged` is the record for calibrate()
-/// and diagnose(), in which means of dwells replace rows. If `judged` is null, `record` is used.
+/// Checks which parameters can be fitted to a record and which effects the record can test.
+/// `judged` is the record for calibrate() and diagnose(), in which means of dwells replace rows. If
+/// `judged` is null, `record` is used.
 [[nodiscard]] Check check(const fit::Subject& subject, const record::Record& record,
                           const record::Record* judged = nullptr);
 

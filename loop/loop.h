@@ -29,8 +29,8 @@ using verdict::compare;
 /// Finds the missing effect by verdict::diagnose_by_noise(), or by
 /// tolerance::diagnose_approximation() for a model that only approximates.
 ///
-/// Throws std::invalid_argument like these functions, and if options.tried_before is not between 0
-/// and a million.
+/// Throws std::invalid_argument like these functions, and if options.tried_before, the number of
+/// effects tried earlier on these data, is not between 0 and a million.
 [[nodiscard]] verdict::Diagnosis diagnose(const fit::Subject& subject, const record::Record& record,
                                           const verdict::DiagnoseOptions& options = {});
 

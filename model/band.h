@@ -15,8 +15,8 @@ namespace raceway::model {
 /// y is the prediction, θ are the fitted parameters, and C is their covariance.
 ///
 /// The propagation is linear. g comes from central differences with steps of a tenth of a standard
-/// error. The difference is one-sided if a bound or a missing equilibrium prevents one side. The
-/// band does not include missing effects or the noise of a reading.
+/// error. A difference is one-sided if a bound of the parameter or a missing equilibrium prevents
+/// the step to one side. The band does not include missing effects or the noise of a reading.
 /// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
 ///           errors.
 class Band {

@@ -16,10 +16,11 @@ struct BearingLife {
   double viscosity_ratio = unset;  ///< κ [1]
   double modification = unset;     ///< life modification factor a_ISO [1]
   double modified = unset;         ///< modified rating life L_nm = a1 a_ISO L10 [s]
-  double reference = unset;        ///< reference rating life a1 L10r of ISO/TS 16281 from the ball
-                                   ///< loads [s]
-  double static_safety = unset;    ///< static safety factor (4.2 GPa/p_max)³; for rollers (4
-                                   ///< GPa/p_max)² [1]. p_max: largest contact pressure
+  /// Reference rating life a1 L10r of ISO/TS 16281, from the loads of the balls or rollers [s].
+  double reference = unset;
+  /// Static safety factor [1]: (4.2 GPa/p_max)³ for balls, (4 GPa/p_max)² for rollers, with the
+  /// largest contact pressure p_max.
+  double static_safety = unset;
   /// True if balls or rollers are of another material than the rings. ISO 281 has no a_ISO for this
   /// case. `modification` is then the value for steel, and `modified` is NaN.
   bool hybrid = false;

@@ -32,7 +32,7 @@ inline constexpr Limit static_load{"static_load", unset, "N", false};
 inline constexpr Limit static_pressure{"static_pressure", 4.2, "GPa", false};
 /// Largest Hertz pressure in the contacts of a rotating bearing. Makers of spindle bearings give
 /// 2000 MPa as the limit below which their bearings do not fatigue (from memory, print not
-/// checked); [ISO281, annex B] uses 1500 MPa.
+/// checked). The pressure at the fatigue load limit of [ISO281, annex B] is 1500 MPa.
 inline constexpr Limit running_pressure{"running_pressure", 2.0, "GPa"};
 /// Largest speed in the catalogue for one bearing with spring preload. Source: [GMN4000]; balls of
 /// silicon nitride allow 1.25 times this speed [GMN speed factors].
@@ -47,10 +47,11 @@ inline constexpr double ceramic_speed_factor = 1.25;
 /// at the inner ring. The life of a grease halves for every 15 K above 70 °C (makers' rule, from
 /// memory).
 inline constexpr Limit ring_temperature{"ring_temperature", 80.0, "C"};
-/// Largest ratio of the force between the sets to the force as mounted. Source: the classes of
-/// [GMN4000]. The strong preload is 6 times the light preload and twice the medium preload. With a
-/// ratio of 3, a spindle with light preload as mounted runs at medium preload. A spindle with
-/// medium preload as mounted runs above all classes.
+/// Largest ratio of the preload in operation to the mounted preload. The preload in operation is
+/// the force of the less loaded set. Source: the classes of [GMN4000]. The strong preload is 6
+/// times the light preload and twice the medium preload. With a ratio of 3, a spindle with light
+/// preload as mounted runs at medium preload. A spindle with medium preload as mounted runs above
+/// all classes.
 inline constexpr Limit preload_factor{"preload_factor", 3.0, "times"};
 /// Viscosity above which an oil hardly reaches the contacts. An oil at its pour point has about 1e5
 /// to 1e6 mm²/s [ASTM D97, from memory].
@@ -65,8 +66,8 @@ inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
 /// seats are not proportional to the load, and the bearings are tilted far more than the 0.6 mrad
 /// (2 angular minutes, from memory) that spindle ball bearings tolerate.
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
-/// Range of the torque table of a model. Outside the range, the torque at the edge of the table is
-/// used.
+/// Range of speeds, loads and temperatures in the torque table of a model. Outside the range, the
+/// torque at the edge of the table is used.
 inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 }  // namespace limits
@@ -101,10 +102,10 @@ struct JudgedBearing {
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
 };
 
-/// Compares operating points with the limits, one by one. A judge finds balls that have lost the
-/// inner race, balls that do not lie against the shoulders of an angular-contact bearing
-/// (bearing/seat.h), and results beyond a limit. For each finding, the judge stores the number of
-/// points and the worst point.
+/// Compares operating points with the limits, one by one. A judge finds balls that have lost
+/// contact with the inner race, balls of an angular-contact bearing that run at the bottom of the
+/// groove or beyond it instead of on the side of the shoulder (bearing/seat.h), and results beyond
+/// a limit. For each finding, the judge stores the number of points and the worst point.
 class Judge {
  public:
   explicit Judge(const Model& model);

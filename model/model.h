@@ -23,12 +23,13 @@ namespace raceway::model {
 
 /// Properties of the test rig. Loads and temperatures apply if a record lacks their columns.
 struct Rig {
-  double inertia = unset;        ///< inertia of all parts that coast down [kg m²]; NaN: not given
-  bool unknown_inertia = false;  ///< true if the user declares the inertia as unknown; all torques
-                                 ///< then have one unknown common factor
-  int bearings = 1;              ///< number of equal bearings whose torque the rig measures [1]
-  double axial_load = unset;     ///< axial load per bearing [N]
-  double radial_load = 0.0;      ///< radial load per bearing [N]
+  double inertia = unset;  ///< inertia of all parts that coast down [kg m²]; NaN: not given
+  /// True if the user declares the inertia as unknown; all torques then have one unknown common
+  /// factor.
+  bool unknown_inertia = false;
+  int bearings = 1;                 ///< number of equal bearings whose torque the rig measures [1]
+  double axial_load = unset;        ///< axial load per bearing [N]
+  double radial_load = 0.0;         ///< radial load per bearing [N]
   double temperature = kelvin(40);  ///< bearing temperature [K]
   double room_temperature = unset;  ///< room temperature [K]; NaN: lowest temperature in the record
   double minimum_speed = 0.0;       ///< coast-down rows below this speed are excluded [rad/s]
@@ -68,8 +69,8 @@ struct Model {
   /// Kind of load, such as P0, in the formulas of the laws palmgren, powers and contact-powers, and
   /// of all laws for rollers.
   friction::F1Load f1_load = friction::F1Load::P0;
-  std::vector<double> law_values;               ///< parameter values, in the order of
-                                                ///< friction::parameters(law)
+  /// Parameter values, in the order of friction::parameters(law).
+  std::vector<double> law_values;
   friction::contact::ContactData contact = {};  ///< further inputs of the contact law
   /// Torque table for the law `table`. A model with another law may also name a table; `diagnose`
   /// then tests the law `table` as an alternative. Null if the model names no table.

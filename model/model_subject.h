@@ -20,12 +20,12 @@ struct Expected {
     double value;      ///< in every row [SI]; NaN: the column is required
     std::string from;  ///< source of the value: "[rig]"
   };
-  /// Channel that the model replaces if a file has only the column of `partner`. Inner and outer
-  /// ring temperature are partners of each other.
+  /// Channel for which the model supplies a value if a file has only the column of `partner`. Inner
+  /// and outer ring temperature are partners of each other.
   struct Partner {
     const record::Channel* channel;
     const record::Channel* partner;
-    std::string from;  ///< text of a note: the value that replaces `channel`
+    std::string from;  ///< text of a note: the value that the model supplies
   };
   std::vector<Default> defaults{};
   std::vector<Partner> partners{};

@@ -22,7 +22,8 @@ namespace raceway::model {
 /// datum.
 [[nodiscard]] std::optional<fit::Candidate> own_datum(const Model& model, std::string_view id);
 
-/// Returns the datum as a parameter that has the name of the candidate.
+/// Returns the parameter of the candidate that own_datum() returns for the id. Throws
+/// std::invalid_argument if the model does not have the datum.
 [[nodiscard]] fit::Parameter own_datum_parameter(const Model& model, std::string_view id);
 
 /// Returns an explanation of a datum, for any model; empty if the id is not a datum.

@@ -38,10 +38,10 @@ namespace raceway::model {
 ///   mixed-lubrication.K_rs      effect.2.K_rs of the third effect; the name is "id.name"
 ///
 /// Indices in addresses begin at 0, and coolant.circuit.0 is the second circuit.
-/// Parameters of the bearing exist only with a shaft whose sets have equal bearings. Each of these
-/// parameters has one value for all bearings of the arrangement. The preload is a parameter only if
-/// it is given as a force. Only parameters of effects have a plausible range and a neutral value
-/// (record::Parameter::neutral). For all other parameters, the three numbers are NaN.
+/// Parameters of the bearing exist only with a shaft whose sets have equal bearings. A parameter of
+/// the bearing has one value for all bearings of the arrangement. The preload is a parameter only
+/// if it is given as a force. Only parameters of effects have a plausible range and a neutral value
+/// (record::Parameter::neutral). For parameters of no effect, range and neutral value are NaN.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
 /// Returns the usual range of an effect's parameter for the size of the model's bearing, in the

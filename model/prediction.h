@@ -83,7 +83,7 @@ struct FrictionPrediction {
 ///   -> torque of all bearings of the rig
 ///   reading      changes of the reading, each computed from the torque before this step
 ///
-/// The order of effects in the model therefore has no influence.
+/// The order of effects in the model therefore has no influence on the prediction.
 [[nodiscard]] FrictionPrediction predict_friction(const Model& model,
                                                   const bearing::OperatingPoint& point,
                                                   bool with_equilibrium = false,

@@ -47,18 +47,18 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
 struct Segment {
   double length = unset;    ///< [m]
   double diameter = unset;  ///< outer diameter [m]
-  double bore = unset;      ///< bore [m]; 0: solid part. For a housing, NaN means the outer
-                            ///< diameter of the bearings
+  /// Bore [m]; 0: solid part. For a housing, NaN means the outer diameter of the bearings.
+  double bore = unset;
   SolidMaterial material = steel_of_shafts;
 };
 
 /// A rigid body on the shaft: pulley, rotor, tool.
 struct Disk {
-  double position = unset;           ///< distance behind the nose face [m]
-  double mass = unset;               ///< [kg]
-  double diametral_inertia = unset;  ///< moment of inertia about a radial axis through the disk [kg
-                                     ///< m²]
-  double polar_inertia = unset;      ///< moment of inertia about the shaft axis [kg m²]
+  double position = unset;  ///< distance behind the nose face [m]
+  double mass = unset;      ///< [kg]
+  /// Moment of inertia about a radial axis through the disk [kg m²].
+  double diametral_inertia = unset;
+  double polar_inertia = unset;  ///< moment of inertia about the shaft axis [kg m²]
 };
 
 /// A spring between shaft and housing, for a bearing of which only the stiffness is known.
@@ -98,12 +98,12 @@ struct Housing {
 
 /// Seats of the rings, and contacts at their side faces.
 struct Seat {
-  double inner_interference = 6 * um;  ///< diametral interference of the inner ring, as mounted and
-                                       ///< at standstill [m]
-  double outer_clearance = 4 * um;     ///< diametral clearance of the outer ring [m]
-  double roughness = 0.8 * um;         ///< roughness Ra of the surfaces [m]
-  double slope = 0.15;                 ///< mean asperity slope of the surfaces [1]
-  double hardness = 3e9;               ///< hardness of the softer surface [Pa]
+  /// Diametral interference of the inner ring, as mounted and at standstill [m].
+  double inner_interference = 6 * um;
+  double outer_clearance = 4 * um;  ///< diametral clearance of the outer ring [m]
+  double roughness = 0.8 * um;      ///< roughness Ra of the surfaces [m]
+  double slope = 0.15;              ///< mean asperity slope of the surfaces [1]
+  double hardness = 3e9;            ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
   /// Clamping forces of the inner rings with their spacers, and of the outer rings [N]. If a force
@@ -169,11 +169,11 @@ struct Circuit {
 enum class RotatingConvection { becker, kendoush, anderson_saunders };
 
 struct Ambient {
-  double temperature = kelvin(20);     ///< ambient temperature [K]
-  double machine_temperature = unset;  ///< temperature of the machine at the flange [K]; NaN:
-                                       ///< ambient temperature
-  double emissivity = 0.85;            ///< emissivity of the housing [1]
-  double convection_factor = 1.0;      ///< factor on free convection of the housing [1]
+  double temperature = kelvin(20);  ///< ambient temperature [K]
+  /// Temperature of the machine at the flange [K]; NaN: ambient temperature.
+  double machine_temperature = unset;
+  double emissivity = 0.85;        ///< emissivity of the housing [1]
+  double convection_factor = 1.0;  ///< factor on free convection of housing and end faces [1]
   RotatingConvection rotating_convection = RotatingConvection::becker;
 };
 
@@ -186,20 +186,20 @@ struct HeatSource {
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
   /// Name of the source: "motor", "drive" or the name of a [[heat]] in the model file.
   std::string name = {};
-  double watts = unset;                                    ///< heat flow [W]; NaN: computed from
-                                                           ///< the formula
-  std::shared_ptr<const record::Expression> formula = {};  ///< heat flow [W] as a formula of
-                                                           ///< heat_variables
-  double factor = 1.0;                                     ///< factor on the formula [1]
+  /// Heat flow [W]; NaN: computed from the formula.
+  double watts = unset;
+  /// Formula for the heat flow [W], with the variables in heat_variables.
+  std::shared_ptr<const record::Expression> formula = {};
+  double factor = 1.0;  ///< factor on the formula [1]
   Place place = Place::shaft;
-  std::size_t bearing = 0;        ///< index of the heated bearing, as in rings_of()
-  double position = unset;        ///< middle of the span, distance behind the nose face [m]
-  double length = unset;          ///< length of the span [m]
-  double radius = unset;          ///< radius of the heated cells [m]; NaN: all cells from the bore
-                                  ///< to the surface
+  std::size_t bearing = 0;  ///< index of the heated bearing, as in rings_of()
+  double position = unset;  ///< middle of the span, distance behind the nose face [m]
+  double length = unset;    ///< length of the span [m]
+  /// Radius of the heated cells [m]; NaN: all cells from the bore to the surface.
+  double radius = unset;
   double rotor_diameter = unset;  ///< outer diameter of the motor's rotor [m]
-  /// Share of a motor's heat that enters the shaft, with the remainder in the housing. For heat at
-  /// a bearing: share that enters the inner ring, with the remainder in the outer ring [1].
+  /// Share of a motor's heat that enters the shaft; the rest enters the housing. For heat at a
+  /// bearing: share that enters the inner ring; the rest enters the outer ring [1].
   double rotor_share = 1.0;
 };
 

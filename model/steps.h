@@ -37,16 +37,16 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
     const Model& model, const bearing::OperatingPoint& point,
     const bearing::BearingEquilibrium* equilibrium);
 
-/// Returns the condition of a bearing with the inputs `entered`: first `given`, then the changes by
-/// the effects of a model. The condition is not finite if an input is unknown. The bearing may
-/// differ from the bearing of the model.
+/// Returns the condition of a bearing: `given` plus the changes by the effects of the model.
+/// `entered` is the bearing state before these changes. Its bearing may differ from the bearing of
+/// the model. The condition is not finite if an input is unknown.
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,
                                               const effects::Record& record,
                                               const effects::Condition& given = {});
-/// Returns the condition of a bearing if the friction power at the original load is known: `power`
-/// [W].
+/// Works like the function above if the friction power at the original load is already known:
+/// `power` [W].
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,

@@ -16,10 +16,10 @@ struct TorqueLoad {
 };
 
 /// Returns the saturated regression of a friction torque: a regression with so many terms that its
-/// residuals are noise. Each term is the measured torque times a term of a cubic polynomial in ln
-/// speed, the load and the temperature. Each load in `further` adds four terms: its value, its
-/// square, and its products with ln speed and with `load`. The recorded preload and each ring
-/// temperature add the same kinds of terms if they vary.
+/// residuals are noise. Its terms are those of a cubic polynomial in ln speed, the load and the
+/// temperature, each multiplied by the predicted torque of the row. Each load in
+/// `further` adds four terms: its value, its square, and its products with ln speed and with
+/// `load`. The recorded preload and each ring temperature add the same kinds of terms if they vary.
 [[nodiscard]] fit::Saturation torque_saturation(const record::Record& record, TorqueLoad load,
                                                 std::vector<TorqueLoad> further = {});
 

@@ -19,7 +19,7 @@ struct NumberCard {
   /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
   /// the effect.
   double neutral = 0.0;
-  /// True for a temperature that a fit keeps within the temperatures of the record.
+  /// True for a temperature that a fit keeps within the range of the temperatures in the record.
   bool of_the_record = false;
 };
 

@@ -25,8 +25,8 @@ struct Part {
   std::string source;  ///< file name, for messages
 };
 
-/// Interval of rows in which a setting of a time record is valid. Settings are all inputs that are
-/// constant between rows, such as speeds, loads and coolant on or off.
+/// Time interval in which the setting of a row is valid, for time records. Settings are all inputs
+/// that are constant between rows, such as speeds, loads and coolant on or off.
 enum class SettingsHold {
   /// The setting in a row is valid from this row to the next row. The reading in this row was taken
   /// with this setting.
@@ -97,12 +97,12 @@ struct Record {
   [[nodiscard]] int line(std::size_t row) const;
 };
 
-/// Joins records of one kind. The result has the rows of all records, one record after the other.
-/// Runs of different records stay separate. The function sorts the records by `source`, so the
-/// order of the argument has no influence. The result has every column that occurs in any record;
-/// rows of a record without this column get NaN. Part::name is the file name without folder and
-/// extension. If two of these names are equal, both names include the folder. Column::known is true
-/// only if it is true in all records. The result keeps the notes of all records. Throws
+/// Joins several records into one record. The result has the rows of all records, one record after
+/// the other. Runs of different records stay separate. The function sorts the records by `source`,
+/// so the order of the argument has no influence. The result has every column that occurs in any
+/// record; rows of a record without this column get NaN. Part::name is the file name without folder
+/// and extension. If two of these names are equal, both names include the folder. Column::known is
+/// true only if it is true in all records. The result keeps the notes of all records. Throws
 /// std::invalid_argument for fewer than two records, for two records of one source, for a record
 /// with `up_to_a_factor`, and for records with different `settings_hold`.
 [[nodiscard]] Record joined(std::vector<Record> records);

@@ -7,7 +7,7 @@
 
 namespace raceway::record {
 
-/// Shape of an input between two rows of a time record.
+/// Assumed change of an input between two rows of a time record.
 enum class Course {
   straight,  ///< straight line between two rows; used for temperatures
   held       ///< constant between two rows; used for all other inputs
@@ -37,7 +37,7 @@ inline constexpr std::string_view offset_kind = "offset";
 /// several transducers, can name such a column.
 [[nodiscard]] const Channel* transducer_channel(std::string_view name);
 
-/// Returns true for a displacement that is an angle.
+/// Returns true for a displacement channel that measures an angle.
 [[nodiscard]] bool is_angle(const Channel& channel);
 /// Replaces the unit "um" in a name or a sentence by the unit of a displacement. For a length, the
 /// text is unchanged. For an angle, every unit "um" becomes "urad": "gain_um_K" becomes

@@ -36,7 +36,7 @@ struct ModelOfPage {
 };
 
 /// Returns the page that compares models with a record. The page keeps the order of the models.
-/// `facts` may be empty in all functions of this header.
+/// `facts` describes the models of the page. It may be empty in all functions of this header.
 [[nodiscard]] std::string comparison_report(
     const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,

@@ -29,7 +29,7 @@ struct ModesAtSpeed {
   std::optional<spindle::LoadedShaft> shaft = {};
   std::vector<std::string> roller_names = {};
   spindle::Modes modes;
-  /// Frequencies of all bearings by name, per revolution of the shaft.
+  /// Damage frequencies of each bearing, with the name of the bearing, per revolution of the shaft.
   std::vector<std::pair<std::string, bearing::BearingFrequencies>> rolling = {};
   double damping_ratio = unset;             ///< damping ratio that the user gives [1]
   std::optional<spindle::Orbit> nose = {};  ///< orbit of the nose under the given unbalance
@@ -92,7 +92,7 @@ struct DeflectionResult {
   std::vector<std::string> roller_names = {};
   double displacement = unset;  ///< displacement at the force, in its direction [m]
   double nose = unset;          ///< displacement of the nose face in the direction of the force [m]
-  double slope = unset;         ///< slope of the section at the nose [rad]
+  double slope = unset;         ///< slope of the bending line at the nose [rad]
   /// Displacement at the force, calculated with the bearing stiffness without the force [m].
   double tangent = unset;
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }

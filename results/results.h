@@ -44,7 +44,8 @@ namespace raceway::results {
                                      const model::Findings& findings = {});
 
 /// Returns the document of a friction table, with one row for each operating point. If `table` has
-/// columns for the 95 % band, `band` names the fitted parameters that cause it; null means no band.
+/// columns for the 95 % band, `band` names the fitted parameters whose uncertainty causes the band;
+/// null means no band.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
                                      const BandOfResult* band = nullptr,

@@ -42,11 +42,11 @@ struct StepCorrectionParts {
 /// is the friction power at the present speed. For load steps, each speed has two channels: an
 /// immediate displacement and a thermal displacement. Each channel has a weight that depends on the
 /// speed. The weight is 1 at the speed of its load steps and 0 at the neighbouring speeds with load
-/// steps, and linear between them. For the channels of the highest of these speeds, the weight
-/// stays 1 above this speed. For the channels of the lowest of these speeds, the weight of the
-/// immediate displacement stays 1 below this speed, and the weight of the thermal displacement
-/// falls linearly to 0 at standstill. The immediate displacement is multiplied by the weight. The
-/// thermal displacement is a delay element whose input is load times weight.
+/// steps, and linear between them. Above the highest of these speeds, the weight of its channels
+/// stays 1. Below the lowest of these speeds, the weight of its immediate displacement stays 1, and
+/// the weight of its thermal displacement falls linearly to 0 at standstill. The immediate
+/// displacement is multiplied by the weight. The thermal displacement is a delay element whose
+/// input is load times weight.
 ///
 /// Throws std::invalid_argument if `parts.power` is empty, if no step response converged (with
 /// `two_lags`: if none has two time constants), or if the step responses do not determine the law.

@@ -11,30 +11,33 @@ namespace raceway::rig {
 /// Options for dividing a coast-down into windows. Each window gives one row. The defaults are
 /// suitable for records with a few hundred to a million samples.
 struct CoastDownOptions {
-  int windows = 40;  ///< wanted windows per run; more windows give more and noisier rows
+  int windows = 40;  ///< intended number of windows per run; more windows give noisier rows
   /// Smallest number of samples in a window. A window of 7 samples has 4 degrees of freedom for the
   /// noise.
   int fewest_samples = 7;
   /// Largest fall of the speed within a window, relative to the speed at the start of the window
-  /// [1].
+  /// [1]. The last window, and a window with the smallest number of samples, may exceed this limit.
   double largest_fall = 0.25;
 };
 
 /// Result for one run of a coast-down.
 struct CoastDownRun {
-  std::string run;             ///< run_id; empty if the file has none
-  int samples = 0;             ///< samples used; samples with the same time count as one
-  int before_release = 0;      ///< excluded samples before the release: run-up and plateau
-  int outliers = 0;            ///< samples excluded as outliers
-  int rows = 0;                ///< number of rows, each with a torque
-  double speed_noise = unset;  ///< standard deviation of a speed sample or block mean [rad/s]
-  double correlation = 0.0;    ///< correlation of neighbouring residuals; 0 if not significant [1]
-  double torque_std = unset;   ///< standard deviation of the torque, median over the rows [N m]
+  std::string run;         ///< run_id; empty if the file has none
+  int samples = 0;         ///< samples used; samples with the same time count as one
+  int before_release = 0;  ///< excluded samples before the release: run-up and plateau
+  int outliers = 0;        ///< samples excluded as outliers
+  int rows = 0;            ///< number of rows, each with a torque
+  /// Standard deviation of the noise in one speed sample, or in one block mean if the samples are
+  /// averaged [rad/s].
+  double speed_noise = unset;
+  double correlation = 0.0;   ///< correlation of neighbouring residuals; 0 if not significant [1]
+  double torque_std = unset;  ///< standard deviation of the torque, median over the rows [N m]
 };
 
 struct CoastDownTorque {
-  /// Rows of friction torque with their standard deviation (Column::known) and the means of all
-  /// recorded inputs. The notes describe all changes to the data.
+  /// Rows of friction torque with their standard deviation, which is treated as exact
+  /// (Column::known), and the means of all recorded inputs. The notes describe all changes to the
+  /// data.
   record::Record record;
   std::vector<CoastDownRun> runs;
 };

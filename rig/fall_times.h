@@ -39,9 +39,10 @@ struct Fall {
 /// row and its neighbours. A neighbour is the nearest fall at lower or at higher speed in the same
 /// run, with the same other inputs. The middle speed of a neighbour lies outside the speed range of
 /// the row. The fastest or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4.
-/// With only one neighbour, p' is 0. Without neighbours, p' is 0 and p is 2/3, as for a viscous
-/// moment. With p and p' of a parabola, ω_e is correct to second order in s for every smooth law.
-/// s = (ω1 - ω2)/ω is the relative width of the fall, with the mean ω of ω1 and ω2.
+/// With only one neighbour, p' is 0. Without neighbours, p' is 0 and p is 2/3, as for the viscous
+/// moment of the Palmgren law. With p and p' of a parabola, ω_e is correct to second order in s for
+/// every smooth law. s = (ω1 - ω2)/ω is the relative width of the fall, with the mean ω of ω1 and
+/// ω2.
 ///
 /// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
 /// ω_e replaces the speed of the record. If every fall has a standard deviation of the time, the

@@ -20,7 +20,7 @@ class RigSubject : public model::ModelSubject {
       const std::shared_ptr<const void>& prepared) const override;
 
   /// Returns the saturated regression, which has so many terms that its residuals are noise. Each
-  /// term is the torque times a term of a cubic polynomial in ln speed, ln axial load and
+  /// term is the measured torque times a term of a cubic polynomial in ln speed, ln axial load and
   /// temperature. Radial load, preload and ring temperatures add quadratic terms if they vary. For
   /// cylindrical rollers, the radial load replaces the axial load.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
@@ -37,9 +37,9 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Returns the laws that can replace the law of the model, with ids such as "law:skf".
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Returns the data that the record lacks, like ModelSubject::lacks(). Two parameters of the
-  /// contact law have their own conditions: mu_boundary needs rows with a film ratio below 2, and
-  /// limiting_traction needs rows with a contact pressure of 1.5 GPa or more.
+  /// Returns the data that the record lacks for a test of `id`, like ModelSubject::lacks(). Two
+  /// parameters of the contact law have their own conditions: mu_boundary needs rows with a film
+  /// ratio below 2, and limiting_traction needs rows with a contact pressure of 1.5 GPa or more.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   /// Returns measurements that would distinguish the rival explanations, such as a new measurement
   /// of the oil viscosity.

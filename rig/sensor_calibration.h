@@ -23,8 +23,8 @@ inline constexpr int highest_sensor_degree = 3;
 /// A test is significant if its p-value is below this limit.
 inline constexpr double sensor_significance = 0.01;
 
-/// Tests whether the scatter of repeated readings explains the distance of the means from the
-/// curve.
+/// Lack-of-fit test: compares the distances of the mean signals from the curve with the scatter of
+/// repeated readings.
 ///
 ///   F = (Σ n_l (mean_l - V(M_l))² / (L - p)) / (Σ (V - mean_l)² / (N - L))
 ///
@@ -34,7 +34,7 @@ struct LackOfFit {
   double statistic = unset;            ///< F; NaN if the readings allow no test
   double p_value = unset;              ///< [1]
   int degrees = 0, error_degrees = 0;  ///< L - p, N - L
-  double repeatability = unset;        ///< scatter at one torque [V]; NaN without repeats
+  double repeatability = unset;        ///< scatter of repeated readings [V]; NaN without repeats
 };
 
 /// Mean signal at falling torque minus mean signal at rising torque, at each torque that was read
@@ -67,7 +67,8 @@ struct SensorCalibration {
   /// p-value of a test for equal scatter at every torque [Koenker1981] [1]; NaN below 10 readings
   /// or without scatter.
   double even_scatter_p_value = unset;
-  /// Scatter in the lower and upper half of the range of |M| [V]; NaN like even_scatter_p_value.
+  /// Scatter in the lower and upper half of the range of |M| [V]; NaN in the same cases as
+  /// even_scatter_p_value.
   double scatter_low = unset, scatter_high = unset;
   std::vector<record::Note> notes{}, warnings{};
 
@@ -76,7 +77,7 @@ struct SensorCalibration {
   [[nodiscard]] double std(int coefficient) const;
 };
 
-/// Fits the signal as a polynomial of the torque by least squares, with QR decomposition for the
+/// Fits the signal as a polynomial of the torque by least squares, with QR decomposition and a
 /// scaled torque. If no degree is given, the lowest degree is used for which no higher term, up to
 /// degree 3, is significant. If the scatter changes significantly along the range, the covariance
 /// comes from HC3 of [MacKinnon1985], which is valid for such a change.

@@ -36,8 +36,8 @@ struct TorqueSensor {
   std::string source = {};  ///< file of the calibration, for messages
 };
 
-/// Returns the torque within the range at which the slope of V(M) is zero or has changed its sign
-/// [N m]; empty if the signal determines the torque uniquely.
+/// Returns the torque from `lowest` to `highest` at which the slope of V(M) is zero or changes its
+/// sign [N m]; empty if the signal determines the torque uniquely.
 [[nodiscard]] std::optional<double> turning_torque(const Eigen::VectorXd& coefficients,
                                                    double lowest, double highest);
 

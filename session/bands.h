@@ -33,8 +33,8 @@ void fill_band(const model::Model& model, const model::Band& band,
                std::span<const bearing::OperatingPoint> points,
                std::span<friction::TablePoint> out);
 
-/// Returns the half widths of the band for one bearing at one point: friction torque, loss, and
-/// heat of both rings.
+/// Returns the half widths of the band for one bearing at one point: friction torque, power loss,
+/// and heat of both rings.
 [[nodiscard]] results::BandOfResult point_band(const model::Band& band,
                                                const bearing::OperatingPoint& point);
 

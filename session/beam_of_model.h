@@ -38,8 +38,8 @@ struct BeamOfModel {
     const BeamOfModel& b, const spindle::SetsAtSpeed& sets,
     const std::optional<spindle::LoadedShaft>& bent);
 
-/// Returns true if roller bearings support the shaft or a belt force bends it. The result does not
-/// depend on loads at the nose.
+/// Returns true if roller bearings support the shaft or a belt force bends it. Loads at the nose
+/// are not considered.
 [[nodiscard]] bool bends(const model::Spindle& spindle);
 
 /// Returns the reason why a request to switch off the coolant has no effect: the model has no

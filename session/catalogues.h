@@ -14,9 +14,8 @@ namespace raceway::session {
 struct FoundEffects {
   std::vector<effects::Description> effects{};
   std::vector<correction::EffectCard> of_records{};  ///< correction effects that match the request
-  bool is_list = true;                               ///< false: the request is the id of one
-                                                     ///< effect; its forms for rig, shaft and
-                                                     ///< spindle are listed
+  /// False: the request is the id of one effect; its forms for rig, shaft and spindle are listed.
+  bool is_list = true;
   std::string own_datum{};  ///< message if the requested id is a value of the model, not an effect
 
   /// Throws text::InputError with `own_datum` if the id is a value of the model, not an effect.

@@ -26,8 +26,8 @@ namespace raceway::session {
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
-/// Reads a time record for all `models` and sends notes to `messages`. Only readings within the
-/// period are used. Isolated readings, which jump and return, are removed. If the readings arrive
+/// Reads a time record for all `models` and sends notes to `messages`. Only readings within
+/// `period` are used. Isolated readings, which jump and return, are removed. If the readings arrive
 /// `one_by_one`, isolated readings are kept, because the program cannot know the next reading.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,

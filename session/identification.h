@@ -19,14 +19,14 @@ namespace raceway::session {
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
   std::string order = "1:3";  ///< number of lags of each channel: "2", or a range, "1:3"
-  /// columns that may become inputs of the correction; "all" means every column that varies. An
+  /// columns that may become inputs of the correction; "all" means every input that varies. An
   /// empty list means "all" if `lags` is not empty, otherwise only the inputs of the model
   std::vector<std::string> inputs{};
   /// time constants of the lags [s], the same for all channels. With "auto", the program chooses
   /// the time constants. If the list is empty, the time constants are fitted.
   std::vector<std::string> lags{};
-  std::string baseline{};  ///< type of model that is fitted for comparison: "regression", "arx" or
-                           ///< empty
+  /// Type of model that is fitted for comparison: "regression", "arx" or empty.
+  std::string baseline{};
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};
 
@@ -40,8 +40,8 @@ struct Identified {
   SeriesQuestion asked{};
   std::string baseline{};  ///< type of model that was fitted for comparison: "regression" or empty
   std::vector<correction::Identification> found{};
-  /// Errors on the record of validate(), which no fit used, and warnings on this record. Both lists
-  /// are empty before validate().
+  /// Errors on the record that validate() reads and that no fit has used, and warnings about this
+  /// record. Both lists are empty before validate() is called.
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 

@@ -23,8 +23,9 @@ namespace raceway::session {
 /// this function is called.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
-/// Returns a note if the interference in [seat] does not change the mounted preload. Returns a
-/// warning if [seat] and the effect interference-fit have different interferences.
+/// Returns a note if the preload is given as an offset or a class, which the interference in [seat]
+/// does not change without the effect interference-fit. Returns a warning if [seat] and the effect
+/// interference-fit have different interferences.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
 /// Returns only the findings with `is_warning`, as warnings.
@@ -50,7 +51,7 @@ class JudgedColumns {
 
  private:
   struct OfBearing {
-    std::string place;  ///< position of the bearing on its shaft
+    std::string place;  ///< name of the bearing on its shaft
     std::size_t lost = 0, inner = 0, outer = 0, load = 0, least = 0, largest = 0;
   };
   const model::Model* model_;

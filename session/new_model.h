@@ -21,8 +21,8 @@ struct NewModel {
   /// and palmgren otherwise.
   std::string law{};
   bool spindle = false;  ///< true: three of these bearings in a spindle; false: one on a rig
-  std::string oil{};     ///< ISO VG grade such as "VG 32" (files/oil_grade.h); empty: a thin
-                         ///< spindle oil
+  /// ISO VG grade such as "VG 32" (files/oil_grade.h); empty: a thin spindle oil.
+  std::string oil{};
 };
 
 /// Returns a commented model file with the default values of its law. Throws text::InputError if

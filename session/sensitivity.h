@@ -53,13 +53,13 @@ struct SensitivityQuestion {
 /// difference is one-sided if the model rejects values on the other side. The step h is 0.1 % of
 /// the datum, or 0.1 K for a temperature. For steady states of a spindle, the step is ten times
 /// larger, because a steady state is found by iteration. For an integer datum such as the number of
-/// balls, the step is 1, and there is no second step.
+/// balls, the derivative is D(1).
 ///
 /// The spreads come from `question`. If a spread is not given, the spread of a fitted parameter is
-/// sqrt(3) times its standard error. This is half the width of a uniform distribution whose
-/// standard deviation is the standard error. For all other data, the spread is 1 % of the value, 1
-/// K for a temperature and 1 for an integer. The samples for the Sobol' indices are uniform between
-/// value - spread and value + spread and independent of each other.
+/// sqrt(3) times its standard error: the half width of a uniform distribution whose standard
+/// deviation is the standard error. For data that were not fitted, the spread is then 1 % of the
+/// value, 1 K for a temperature and 1 for an integer. The samples for the Sobol' indices are
+/// uniform between value - spread and value + spread and independent of each other.
 ///
 /// Points are solved on all cores. The results do not depend on the number of cores or on the order
 /// of the points. Throws text::InputError for an unknown prediction or datum or a value outside its

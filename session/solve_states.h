@@ -13,9 +13,9 @@
 
 namespace raceway::session {
 
-/// Array of doubles of the caller, read without a copy. Each stride is the number of bytes from one
-/// double to the next along one dimension; 0 repeats the double along this dimension. If `data` is
-/// null, the value of the model is used.
+/// Array of doubles that belongs to the caller and is read without a copy. Each stride is the
+/// number of bytes from one double to the next along one dimension; 0 repeats the double along this
+/// dimension. If `data` is null, the value of the model is used.
 struct NumberArray {
   const char* data = nullptr;
   std::vector<std::ptrdiff_t> strides{};
@@ -76,9 +76,9 @@ struct SolvedStates {
 /// Predicted readings of a rig: the friction torque of all bearings, with the effects on the
 /// sensor.
 struct PredictedStates {
-  std::vector<double> reading_Nmm;           ///< [states]; NaN for a state without a prediction
-  std::vector<bearing::SolveStatus> status;  ///< [states]; `not_finite` if the solver converged but
-                                             ///< the reading is NaN
+  std::vector<double> reading_Nmm;  ///< [states]; NaN for a state without a prediction
+  /// [states]; `not_finite` if the solver converged but the reading is NaN.
+  std::vector<bearing::SolveStatus> status;
 };
 
 /// Predicts the readings of a rig at many states. The function computes no other columns. The

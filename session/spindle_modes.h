@@ -14,15 +14,15 @@ namespace raceway::session {
 
 struct ModesQuestion {
   std::vector<double> speeds{};  ///< shaft speeds [rad/s]
-  bool warm = false;             ///< true: uses the bearing stiffness of the warm spindle at steady
-                                 ///< state
-  bool coolant_on = true;        ///< true: the coolant of the warm spindle is on
+  /// True: uses the bearing stiffness of the warm spindle at steady state.
+  bool warm = false;
+  bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
   int count = 6;
-  double damping_ratio = unset;                   ///< damping ratio assigned to every mode [1]
-  std::optional<spindle::Unbalance> unbalance{};  ///< unbalance for which the whirl of the nose is
-                                                  ///< computed
-  const std::atomic<bool>* cancelled = nullptr;   ///< if true, the calculation throws
-                                                  ///< fit::Cancelled
+  double damping_ratio = unset;  ///< damping ratio assigned to every mode [1]
+  /// Unbalance for which the whirl of the nose is computed.
+  std::optional<spindle::Unbalance> unbalance{};
+  /// If true, the calculation throws fit::Cancelled.
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
 /// Natural vibration modes of a shaft on its bearings, at several speeds.

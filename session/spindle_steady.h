@@ -34,9 +34,10 @@ struct SteadyQuestion {
   bool coolant_on = true;
   /// axial load at the nose, positive towards the tool [N]; NaN means the value of the model
   double axial_load = unset;
-  double radial_load = 0.0;    ///< radial load at the nose, in the direction of y [N]
-  double moment = 0.0;         ///< moment at the nose [N m]; positive if it turns the shaft like a
-                               ///< positive radial force in front of the nose
+  double radial_load = 0.0;  ///< radial load at the nose, in the direction of y [N]
+  /// Moment at the nose [N m]; positive if it turns the shaft like a positive radial force in front
+  /// of the nose.
+  double moment = 0.0;
   double belt_force = unset;   ///< pull of the belt [N]; NaN: value of the model
   double motor_power = unset;  ///< electrical input of the motor [W]; NaN: unknown
   bool assumptions = false;    ///< true adds the most influential assumed values to the results

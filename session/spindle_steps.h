@@ -42,8 +42,8 @@ struct SpindleSteps {
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
   std::vector<record::Note> notes{};
-  double temperature_C = unset;  ///< lubricant temperature at which the friction power of imported
-                                 ///< steps is computed [C]
+  /// Lubricant temperature at which the friction power of imported steps is computed [C].
+  double temperature_C = unset;
   bool coolant_on = true;
   bool simulated = false;
 

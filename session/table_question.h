@@ -21,8 +21,8 @@ namespace raceway::session {
 struct TableQuestion {
   AskedAxes axes{};
   friction::TableSlab slab{};
-  std::optional<model::Band> band{};  ///< if given, adds the half widths of the 95 % bands of
-                                      ///< torque and power loss
+  /// If given, adds the half widths of the 95 % bands of torque and power loss.
+  std::optional<model::Band> band{};
   Wording wording = Wording::arguments;
 };
 
@@ -46,8 +46,8 @@ struct TableAnswer {
   /// modelica.
   [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
-  /// Returns the findings that are notes, and the text of balls_statement() at the highest speed of
-  /// the first loads.
+  /// Returns the findings that are notes, and the text of balls_statement(). This text is for the
+  /// highest speed and for the first loads and the first temperature of the axes.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
   /// Returns warnings about exceeded limits.
   [[nodiscard]] std::vector<record::Note> warnings() const {

@@ -16,8 +16,9 @@ struct Tolerance {
   std::string text;
 
   /// Sets the tolerances in the model for this calculation. The unit selects the measured channels.
-  /// Throws text::InputError for a number without a unit or not above 0, for two numbers with one
-  /// unit, for a unit without a measured channel, and for a channel that already has a tolerance.
+  /// Throws text::InputError for a number without a unit or not above 0, for two numbers with
+  /// the same unit, for a unit without a measured channel, and for a channel that already has a
+  /// tolerance.
   void set(files::ModelFile& file) const;
   void set(correction::Model& model, const std::string& source) const;
 

@@ -12,7 +12,7 @@ namespace raceway::shaft {
 struct DisplacementTable {
   std::vector<double> speed;         ///< increasing [rad/s]
   std::vector<double> displacement;  ///< displacement at each speed [m]
-  std::vector<double> slope;         ///< du/dω at the point [m s/rad]
+  std::vector<double> slope;         ///< slope du/dω at each speed [m s/rad]
   /// True if the displacement only rises or only falls. Otherwise the displacement turns only at
   /// points of the table.
   bool monotone = false;
@@ -25,9 +25,9 @@ struct DisplacementTable {
 /// value that is not finite.
 [[nodiscard]] DisplacementTable make_displacement_table(std::span<const DisplacementPoint> curve);
 
-/// Evaluates the cubic through the table at a speed ω [rad/s], between the neighbouring points 0
-/// and 1 of the table with displacements u0 and u1 and slopes m0 and m1. Outside the table, the
-/// function returns the displacement of the nearer end, slope 0 and `inside` false. A NaN speed
+/// Evaluates the cubic of a table at a speed ω [rad/s]. The indices 0 and 1 mean the table points
+/// below and above this speed; u is the displacement and m the slope at a point. Outside the table,
+/// the function returns the displacement of the nearer end, slope 0 and `inside` false. A NaN speed
 /// gives NaN.
 ///
 ///   u = (1 + 2t)(1 - t)² u0 + t²(3 - 2t) u1 + h (t(1 - t)² m0 - t²(1 - t) m1),  t = (ω - ω0)/h,

@@ -24,11 +24,11 @@ struct DisplacementPoint {
   double std = unset;  ///< standard deviation, if known [m]
 };
 
-/// Bounds of the parameters B and C of the law, in the published units. With B above 1 the
-/// law tends to infinity towards standstill. With B below 0 the exponent of the speed falls with
-/// the speed instead of rising. For C n_max below 0.01 (n_max: highest speed) the law is a power of
-/// the speed; above 100 it is a straight line. The default bounds of C are therefore 0.01/n_max and
-/// 100/n_max. A has no bounds; A is negative for a mirrored layout.
+/// Bounds of the parameters B and C of the law, in the published units. With B above 1 the law
+/// tends to infinity towards standstill. With B below 0 the exponent of the speed falls with the
+/// speed instead of rising. For C n_max below 0.01 (n_max: highest speed) the law is nearly a power
+/// of the speed; above 100 it is nearly a straight line. The default bounds of C are therefore
+/// 0.01/n_max and 100/n_max. A has no bounds; A is negative if the shaft moves away from the tool.
 struct KinematicLawBounds {
   double lower_B = 0.0, upper_B = 1.0;
   double lower_C = unset, upper_C = unset;  ///< [1/rpm]
@@ -60,7 +60,7 @@ struct KinematicLawFit {
   /// RMS of law minus reading [m]. If `weighted` is true, each difference is divided by its
   /// standard deviation [1].
   double misfit = unset;
-  double standstill = 0.0;     ///< largest displacement at standstill, where the law is 0 [m]
+  double standstill = 0.0;     ///< largest reading at standstill, where the law is 0 [m]
   int rows = 0;                ///< fitted rows, with a speed above 0
   int rows_at_standstill = 0;  ///< rows at standstill, not used for the fit and the errors
   bool weighted = false;       ///< true if rows are weighted by their standard deviation
@@ -88,7 +88,7 @@ struct KinematicLawFit {
 /// chi-square of the fit is above 1. A computed curve has no scatter, so standard errors from such
 /// a curve are not valid for other curves.
 ///
-/// Rows at standstill are not fitted, because the law is zero there, but extend the speed range of
+/// Rows at standstill are not fitted, because the law is zero there. They extend the speed range of
 /// the law to zero. Throws std::invalid_argument for a value that is not finite, a negative speed,
 /// a `std` that is not positive, fewer than four different speeds above zero, only zero
 /// displacements above standstill, and invalid bounds.

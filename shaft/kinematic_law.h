@@ -17,14 +17,15 @@ namespace raceway::shaft {
 /// Source:   [Brecher2021, eq. 10], with A = 1.28e-3, B = 0.697, C = 5.3e-4: 12.396 um at
 ///           10 000 rpm.
 /// Domain:   n >= 0, B <= 1; at standstill u = 0 for B < 1.
-/// Accuracy: rounding. For the quality of the law as a model of a shaft, see docs/kinematic-law.md.
+/// Accuracy: limited by rounding. For the quality of the law as a model of a shaft, see
+///           docs/kinematic-law.md.
 /// Traps:    n is in rpm. Another unit of n changes A by a factor that depends on n, so the three
 ///           parameters cannot be converted to rad/s or 1/s. The exponent of n rises from 1 - B at
 ///           standstill to 1 at high speed, not to 2 as for centrifugal forces. At high speed u
 ///           becomes A n. The slope at standstill is infinite for 0 < B < 1. The published curve
-///           has inflection points at 111.28 and 5691.27 rpm (u'' = 0). The slope is smallest at
-///           111 rpm and largest at 5691 rpm. A multiplies a power of a large number, so the digits
-///           of A are as important as the digits of B.
+///           has inflection points at 111.28 and 5691.27 rpm (u'' = 0). The slope has a minimum at
+///           111 rpm and a maximum at 5691 rpm. A multiplies a large power of n, so the digits of A
+///           are as important as the digits of B.
 template <typename T>
 T kinematic_displacement_um(double speed_rpm, const T& A, const T& B, const T& C) {
   using std::exp;

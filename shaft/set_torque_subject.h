@@ -17,13 +17,13 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the columns of the saturated regression for a torque. The load input of the regression
+  /// Returns the inputs of the saturated regression (fit::Saturation) for a torque. The load input
   /// is the ratio of external load to preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns the factors of each row: speed, load and viscosity. The load is the root of the sum of
-  /// squares of preload and external load.
+  /// Returns the quantities for tests of modified effect laws: speed, load and viscosity in each
+  /// row. The load is the root of the sum of squares of preload and external load.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns an empty text: the sign of a torque is not in doubt, and files::doubts() checks the
   /// unit.

@@ -17,10 +17,11 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the saturated regression of the base class, with the levels of speed, axial load and
-  /// preload.
+  /// Returns the saturated regression of the base class. Each level of speed, axial load and
+  /// preload is an additional term of the regression.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns the factors of each row: speed, preload (0 if not recorded) and viscosity.
+  /// Returns the quantities for tests of modified effect laws: speed, preload (0 if not recorded)
+  /// and viscosity in each row.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns a message if the readings are nearly proportional to the prediction, but with the
   /// opposite sign or with a factor above 200 or below 1/200; otherwise an empty text.

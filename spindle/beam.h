@@ -41,7 +41,7 @@ struct ElementMatrices {
 };
 [[nodiscard]] ElementMatrices element_matrices(const BeamElement& element);
 
-/// Stiffness of a spring in one plane for (v, θ) at its node.
+/// Stiffness of a spring in one plane, for the displacement v and the rotation θ at its node.
 struct PlaneSpring {
   double radial = 0.0;    ///< [N/m]
   double tilt = 0.0;      ///< [N m/rad]
@@ -64,7 +64,7 @@ struct Spring {
 struct BeamLoad {
   double position = unset;  ///< distance behind the nose face [m]
   double force = 0.0;       ///< [N]
-  double moment = 0.0;      ///< positive in the direction of θ [N m]
+  double moment = 0.0;      ///< positive in the direction of the rotation θ [N m]
 };
 
 struct BeamMesh {
@@ -78,8 +78,8 @@ struct BeamMesh {
 class Beam {
  public:
   /// Creates nodes at changes of section, disks, supports and the positions `places` [m]. Throws
-  /// std::invalid_argument if a value is outside its range. The message gives the name of the
-  /// quantity, the value with unit, and the allowed range.
+  /// std::invalid_argument if a value in an argument is outside its range. The message gives the
+  /// name of the quantity, the value with unit, and the allowed range.
   Beam(const model::ShaftBody& body, std::span<const double> places, const BeamMesh& mesh = {});
 
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }  ///< [m]
@@ -87,8 +87,8 @@ class Beam {
   [[nodiscard]] double length() const { return nodes_.back(); }  ///< [m]
   [[nodiscard]] double weight() const { return mass_sum_; }      ///< mass including disks [kg]
 
-  /// Matrices in one plane for the vector (v, θ) of all nodes in order. The stiffness matrix
-  /// includes the supports of the shaft.
+  /// Matrices in one plane for the vector of displacement v and rotation θ of all nodes, (v_1, θ_1,
+  /// v_2, θ_2, ...). The stiffness matrix includes the supports of the shaft.
   [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& gyroscopic() const { return gyroscopic_; }
@@ -99,7 +99,8 @@ class Beam {
   /// Returns the index of the node within 1 nm of a position [m]. Throws std::invalid_argument if
   /// there is no such node.
   [[nodiscard]] std::size_t node_at(double position) const;
-  /// Returns v and θ at any position [m]. `shape` contains (v, θ) of all nodes.
+  /// Returns displacement v and rotation θ at any position [m]. `shape` contains (v, θ) of all
+  /// nodes.
   [[nodiscard]] Eigen::Vector2d at(double position, const Eigen::VectorXd& shape) const;
   /// Adds the equivalent nodal forces of a load to `forces`.
   void add_load(const BeamLoad& load, Eigen::VectorXd& forces) const;
@@ -120,7 +121,7 @@ class Beam {
 /// Bending of the shaft in one plane under static loads.
 struct Deflection {
   bool found = false;     ///< false if the shaft can move freely
-  Eigen::VectorXd shape;  ///< (v, θ) of all nodes [m, rad]
+  Eigen::VectorXd shape;  ///< displacement v and rotation θ of all nodes [m, rad]
 };
 
 /// Solves K q = f for the shaft on springs at the positions `places` [m], which must be nodes. K is
@@ -130,8 +131,8 @@ struct Deflection {
                                  std::span<const PlaneSpring> springs,
                                  std::span<const BeamLoad> loads);
 
-/// Beam reduced to a few nodes in one plane. The stiffness matrix refers to (v, θ) of these nodes.
-/// The elimination of all other nodes is exact in statics.
+/// Beam reduced to a few nodes in one plane. The stiffness matrix refers to displacement v and
+/// rotation θ of these nodes. The elimination of all other nodes is exact in statics.
 class CondensedBeam {
  public:
   CondensedBeam(const Beam& beam, std::vector<std::size_t> nodes);
@@ -142,7 +143,7 @@ class CondensedBeam {
  private:
   std::vector<std::size_t> nodes_;
   Eigen::MatrixXd stiffness_;
-  Eigen::MatrixXd follow_;  ///< displacement of all nodes per displacement of the condensed nodes
+  Eigen::MatrixXd follow_;  ///< (v, θ) of all nodes per unit (v, θ) of the nodes that remain
 };
 
 }  // namespace raceway::spindle

@@ -16,12 +16,12 @@ namespace raceway::spindle {
 ///
 /// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
 ///           program Thermca, evaluated at n d_m = 500 000 mm/min. ω is the speed [rad/s], n the
-///           speed in rpm, and d_m the pitch diameter. About a tenth of the result of the source
-///           formula is the conductance of the contacts.
+///           speed in rpm, and d_m the pitch diameter. The source formula includes the ball
+///           contacts, about a tenth of its result. Adding the contacts counts this tenth twice.
 /// Domain:   balls of 5 to 22 mm; within 12 % of the source formula if n d_m is from 200 000 to
 ///           2 000 000 mm/min.
-/// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in the same program
-///           gives 0.6 W/K, and this formula gives 4.7 W/K. The larger value agrees with the rule
+/// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in Thermca gives
+///           0.6 W/K, and 1650 Z D² gives 4.7 W/K. The value 4.7 W/K agrees with the rule of thumb
 ///           that inner rings are 5 to 10 K warmer than outer rings.
 [[nodiscard]] inline double usual_lubricant_conductance(const bearing::BearingGeometry& g) {
   constexpr double film = 1650.0;
@@ -44,9 +44,9 @@ namespace raceway::spindle {
 /// contact ellipse are proportional to the cube root of the contact load Q.
 /// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
 ///           neglected.
-/// Domain:   loads >= 0; the conductance is zero if a ball touches only one race.
+/// Domain:   loads >= 0. A ball that touches only one race has the conductance 0.
 /// Accuracy: the formula applies to a dry bearing at rest. In operation, the lubricant and the
-///           rolling balls conduct several times as much: add
+///           rolling balls conduct several times as much heat as the dry contacts: add
 ///           model::Spindle::lubricant_conductance.
 class BallConduction {
  public:
@@ -73,7 +73,7 @@ class BallConduction {
   [[nodiscard]] double conductance(double inner_load, double outer_load) const {
     return count_ * ball(inner_load, outer_load);
   }
-  /// Returns the thermal conductance of a bearing with the contact loads of `balls` [W/K].
+  /// Returns the thermal conductance of a bearing with the contact loads in `balls` [W/K].
   [[nodiscard]] double conductance(const bearing::Balls& balls) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < balls.distinct().size(); ++k)

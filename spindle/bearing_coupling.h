@@ -27,7 +27,7 @@ namespace raceway::spindle {
 /// S is the conductance between the raceway and its cells, w is the heat into these cells, and G is
 /// the conductance through balls or rollers and lubricant. The function bear() computes the bearing
 /// loads from radial loads on the shaft with a beam model. These bearing loads are constant between
-/// two calls of bear(). The elongation is in um so that all elements of s have similar size.
+/// two calls of bear(). The elongation is in um so that all elements of s have a similar magnitude.
 class BearingCoupling {
  public:
   BearingCoupling(const model::Model& model, const effects::SpindleCondition& condition,
@@ -45,8 +45,8 @@ class BearingCoupling {
   /// felt_offset() returns s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
   [[nodiscard]] const Vector& felt_offset() const { return offset_; }
-  /// For each element of y, the index in s of the mean temperature of the cells at this raceway.
-  /// The heat is divided among the cells of the raceway with the weights of this mean.
+  /// Returns, for each raceway in y, the index in s of the mean temperature of its cells. The heat
+  /// is divided among the cells of the raceway with the weights of this mean.
   [[nodiscard]] const std::vector<Eigen::Index>& given_rows() const { return given_rows_; }
   /// Adds the raceway heat y = `given` to the heat flow into each cell [W].
   void add_given(const Vector& given, Vector& inflow) const;

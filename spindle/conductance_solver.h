@@ -11,7 +11,7 @@ namespace raceway::spindle {
 /// the heat capacities and G the thermal conductances.
 ///
 /// A is factorised as L D Lᵀ. The constructor finds an order of the bodies in which L has few
-/// elements. first_half() does the forward substitution, and second_half() does the back
+/// nonzero elements. first_half() does the forward substitution, and second_half() does the back
 /// substitution. The product
 ///
 ///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)

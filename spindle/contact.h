@@ -35,6 +35,7 @@ struct RoughContact {
 ///
 ///   h = 1.25 (2 λ1 λ2/(λ1 + λ2)) (m/Ra) (p/H)^0.95
 ///
+/// RoughContact defines λ1, λ2, m, Ra and H. p is the pressure.
 /// Source:   Yovanovich's fit to Cooper, Mikic and Yovanovich (Int J Heat Mass Transfer 12, 1969,
 ///           p. 279), whose own formula has the factor 1.45 and the exponent 0.985. Ra replaces the
 ///           rms roughness.

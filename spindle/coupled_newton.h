@@ -16,7 +16,7 @@ enum class NewtonStatus { converged, no_balance, diverged };
 ///
 ///   s = F A⁻¹ r + s0 + M y(s),   M = F A⁻¹ P
 ///
-/// This elimination of the cells is Woodbury's identity. Derivatives with respect to cell
+/// The elimination of the cells uses Woodbury's identity. Derivatives with respect to cell
 /// temperatures are not needed. F A⁻¹ r and M need only forward substitutions, with Φ = L⁻¹ Fᵀ and
 /// with Π = L⁻¹ P, which is a selection of the columns of Φ:
 ///
@@ -34,16 +34,17 @@ class CoupledNewton {
   /// heat to leave, or a number is not finite.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
   /// Computes `temperatures` for the right-hand side r = `right`. `given` and `felt` contain start
-  /// values of y and s, and receive the solution. If the status is not `converged`, they do not
-  /// change.
+  /// values of y and s, and receive the solution. If the status is not `converged`, the three
+  /// vectors do not change.
   [[nodiscard]] NewtonStatus solve(const Vector& right, Vector& temperatures, Vector& given,
                                    Vector& felt);
   [[nodiscard]] Vector solve_linear(const Vector& right) const { return solver_.solve(right); }
   /// Discards the Jacobian dy/ds. Call this function after a change of speed or load.
   void forget_derivatives() { known_ = false; }
-  /// Returns the largest real gain of the feedback loop heat -> temperature -> preload -> heat at s
-  /// = `felt` [1]. A gain of 1 or more means thermal runaway. The result is NaN without bearings,
-  /// or if the bearing sets have no equilibrium at an s of the finite differences.
+  /// Returns the gain of the feedback loop heat -> temperature -> preload -> heat at s = `felt`:
+  /// the largest real eigenvalue of M dy/ds [1]. A gain of 1 or more means thermal runaway. The
+  /// result is NaN without bearings, or if the bearing sets have no equilibrium at an s of the
+  /// finite differences.
   [[nodiscard]] double gain(const Vector& felt, const Vector& given);
 
  private:

@@ -83,7 +83,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// Source:   Churchill and Chu (Int J Heat Mass Transfer 18, 1975, p. 1049).
 /// Domain:   Ra from 1e-5 to 1e12. Without a temperature difference, the result is 0.36 λ/D with
 ///           the conductivity λ of the gas.
-/// Accuracy: about 10 %. The influence of neighbouring machine parts is larger.
+/// Accuracy: about 10 %. The influence of neighbouring machine parts is larger than this error.
 [[nodiscard]] inline double free_cylinder(double diameter, double difference,
                                           double film_temperature, const FluidProperties& gas) {
   const double ra = rayleigh(diameter, difference, film_temperature, gas);
@@ -159,9 +159,9 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// λ is the conductivity of the gas, and Ta is taylor_number().
 /// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with the length 2 δ
 ///           and the temperatures of both surfaces. A program that computes h from λ/δ instead of
-///           λ/(2 δ) gets twice this conductance.
+///           λ/(2 δ) gets twice the conductance.
 /// Domain:   no axial flow. The published law jumps by 2 % at Ta = 1700 and by 0.1 % at Ta = 1e4.
-///           This function is continuous, because a jump could stop an iteration: it changes from
+///           This function is continuous, because a jump could prevent convergence: it changes from
 ///           formula to formula where the formulas intersect, at Ta = 1790 and 1.01e4.
 /// Accuracy: about 15 % for smooth surfaces.
 [[nodiscard]] inline double annular_gap(double inner_radius, double outer_radius, double speed,
@@ -213,9 +213,10 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// Source:   Shah and London 1978 (laminar), Konakov 1946 as in channel_nusselt().
 /// Domain:   Re > 0, 0 < a <= 1, straight and smooth channel.
 /// Accuracy: the factor agrees with tables within 0.1 % in laminar flow, and with Prandtl's law of
-///           smooth pipes within 1.5 % up to Re = 1e6. A helical channel has a larger factor. Its
-///           secondary flow increases the factor by some tens of percent in turbulent flow. In
-///           laminar flow, the increase is several times larger.
+///           smooth pipes within 1.5 % up to Re = 1e6. A helical channel has a larger factor. The
+///           secondary flow in the helix increases the factor by some tens of percent in turbulent
+///           flow. The increase by a helix is several times larger in laminar than in turbulent
+///           flow.
 [[nodiscard]] inline double channel_friction(double reynolds, double aspect) {
   const auto laminar = [&](double re) {
     const double a = aspect;
@@ -250,8 +251,8 @@ struct Channel {
   }
 };
 
-/// Returns the channel of a coolant circuit. The square of the length of a turn is the sum of the
-/// squares of circumference and pitch.
+/// Returns the channel of a coolant circuit. The length of one turn of the helix is
+/// sqrt(circumference² + pitch²).
 [[nodiscard]] inline Channel channel_of(const model::Coolant& c) {
   const double turns = std::abs(c.end - c.start) / c.pitch;
   return {.section = c.channel_width * c.channel_depth,
@@ -269,9 +270,9 @@ struct Channel {
 }
 
 /// Returns 2 V ρ c for a coolant flow V with the density ρ and the heat capacity c [W/K]. Multiply
-/// the result by the mean minus the inlet temperature to get the heat that the coolant removes. The
-/// mean temperature lies halfway between inlet and outlet temperature. The result is zero if the
-/// coolant is off.
+/// the result by the mean coolant temperature minus the inlet temperature to get the heat that the
+/// coolant removes. The mean temperature lies halfway between inlet and outlet temperature. The
+/// result is zero if the coolant is off.
 [[nodiscard]] inline double coolant_conductance(const model::Coolant& c, double temperature,
                                                 bool on) {
   if (!on) return 0.0;
@@ -324,6 +325,7 @@ struct ChannelFlow {
 ///
 ///   h = ε σ (T² + T0²)(T + T0)
 ///
+/// ε is the emissivity, and σ the Stefan-Boltzmann constant.
 /// Source:   [Brecher2021, eqs. 1, 2].
 [[nodiscard]] inline double radiation(double emissivity, double temperature, double surroundings) {
   return emissivity * stefan_boltzmann * (temperature * temperature + surroundings * surroundings) *
@@ -335,7 +337,8 @@ struct ChannelFlow {
 ///
 ///   1/ε = 1/ε_i + (r_i/r_o)(1/ε_o - 1)
 ///
-/// ε is the effective emissivity for radiation(). i is the inner and o the outer cylinder.
+/// ε is the effective emissivity for radiation(). The indices i and o denote the inner and the
+/// outer cylinder, and r is a radius.
 /// Domain:   emissivities above 0.
 [[nodiscard]] inline double radiation_of_gap(double inner_radius, double outer_radius,
                                              double inner_emissivity, double outer_emissivity,

@@ -12,7 +12,7 @@ struct Joint {
   int first = -1;
   int second = -1;      ///< index of the second cell; -1: fluid or surroundings
   double area = unset;  ///< [m²]
-  double half = 0.0;    ///< sum of the resistances from the cell middles to the joint [K/W]
+  double half = 0.0;    ///< sum of the thermal resistances from cell middles to joint [K/W]
   bool axial = false;   ///< true: open face normal to the axis; false for all other joints
 };
 using Joints = std::vector<Joint>;
@@ -31,10 +31,11 @@ using Shares = std::vector<Share>;
 /// Position and dimensions of one bearing, and its cells in the mesh.
 struct BearingPlace {
   double position = unset, width = unset;  ///< [m]
-  double seat_bore = unset, seat = unset;  ///< radius of the shaft bore and of the shaft seat [m]
+  double seat_bore = unset, seat = unset;  ///< radii of shaft bore and shaft seat [m]
   double inner_shoulder = unset, outer_shoulder = unset;  ///< shoulder radii [m]
-  double housing_seat = unset, housing_outer = unset;     ///< radii of housing bore and surface [m]
-  /// diametral fit on the shaft and in the housing, cold and at standstill [m]
+  double housing_seat = unset, housing_outer = unset;     ///< radii of bore and outer surface [m]
+  /// Diametral interference on the shaft and diametral clearance in the housing, cold and at
+  /// standstill [m].
   double inner_interference = unset, outer_clearance = unset;
   Joints inner_seat, outer_seat;
   Joints inner_raceway, outer_raceway;  ///< heat paths from ring cells to the raceway
@@ -45,7 +46,7 @@ struct BearingPlace {
 /// Side face of a bearing ring that a clamping force presses against a shoulder, a spacer or
 /// another ring. The face between two rings is listed once, as the rear face of the front ring.
 struct ClampedFace {
-  int bearing = -1;      ///< index of the ring in Layout::bearings
+  int bearing = -1;      ///< index of the bearing in Layout::bearings
   bool inner = true;     ///< true: inner ring
   bool rear = false;     ///< true: rear face
   double force = unset;  ///< [N]
@@ -55,20 +56,21 @@ struct ClampedFace {
 /// Cells, joints and dimensions of a spindle that do not depend on the operating point.
 struct Layout {
   Mesh mesh;
-  std::vector<BearingPlace> bearings;  ///< front set, rear set, roller bearings
+  std::vector<BearingPlace> bearings;  ///< in the order front set, rear set, roller bearings
   Joints shoulders, collars;
-  /// Joints of spacers and inner rings; empty if the model gives a clamping force of inner rings.
+  /// Joints between spacers and inner rings; empty if the model gives the clamping force of the
+  /// inner rings.
   Joints clamped;
   std::vector<ClampedFace> faces;  ///< side faces of rings with clamping force
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
   std::vector<Joints> coolant_walls;  ///< walls of each channel in model::Spindle::channels()
-  /// Positions of the outermost ring faces [m].
+  /// Positions of the front face of the first bearing and of the rear face of the last bearing [m].
   double first_bearing_front = unset, last_bearing_rear = unset;
   double housing_start = unset, housing_end = unset;  ///< [m]
   /// positions of the centres of the bearing sets [m]; `rear_centre` is NaN without a rear set
   double front_centre = unset, rear_centre = unset;
-  /// Number of turns times circumference of each coolant channel [m].
+  /// Length of each coolant channel [m]: number of turns times circumference.
   std::vector<double> helix_length;
 
   /// Returns the material of the first cell in `seat`.

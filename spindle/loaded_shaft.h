@@ -92,14 +92,14 @@ class ShaftOnBearings {
 /// Finds the equilibrium of the elastic shaft and the bearings in its sets under one load. Each
 /// bearing has five degrees of freedom. Newton's method solves for the axial positions of shaft and
 /// rear set, and for the deflection v and slope θ at bearings and load in two planes. The beam is
-/// reduced to these nodes, and the balls are in equilibrium at every evaluation. The method starts
-/// from the equilibrium under the axial load only. If this start fails, the radial load is
-/// increased from zero in steps. Between the bearing sets, the shaft has the axial stiffness given
-/// in the arrangement.
+/// reduced to the nodes of bearings and load, and the balls are in equilibrium at every evaluation.
+/// The method starts from the equilibrium under the axial load only. If this start fails, the
+/// radial load is increased from zero in steps. Between the bearing sets, the shaft has the axial
+/// stiffness given in the arrangement.
 ///
-/// Domain:   `places` contains the centres of the bearings, front set first [m]. Each centre must
-///           be a node of the beam. Throws std::invalid_argument if the number of centres differs
-///           from the number of bearings.
+/// Domain:   `places` contains the centres of the bearings, front set first [m]. Each bearing
+///           centre must be a node of the beam. Throws std::invalid_argument if the number of
+///           centres differs from the number of bearings.
 /// Accuracy: the force error is at most 1e-9 of the preload or of the largest load, whichever is
 ///           larger. Second-order effects of the axial force are neglected.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,
@@ -109,14 +109,15 @@ class ShaftOnBearings {
                                              const ShaftLoad& load,
                                              const bearing::EquilibriumOptions& options = {});
 
-/// Returns true if the preload presses the inner ring of bearing `i` to the rear. The front set of
-/// an O or tandem arrangement and the rear set of an X arrangement have such bearings.
+/// Returns true if the preload presses the inner ring of bearing `i` to the rear. This is true for
+/// the front set of an O or tandem arrangement, and for the rear set of an X arrangement.
 [[nodiscard]] bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i);
 
-/// Returns the tangent stiffness of the bearings as springs of the beam. With the stiffness matrix
-/// K of a bearing, the coupling of force and tilt is +K(y, θz) if the preload presses the inner
-/// ring to the rear, otherwise -K(y, θz). In the plane of z, -K(z, θy) replaces K(y, θz). At speed,
-/// K(y, θz) and K(θz, y) differ by 1 to 2 %; their mean is used.
+/// Returns the tangent stiffness of the bearings as springs of the beam. K(y, θz) is the element of
+/// a bearing's stiffness matrix for the force in y and the tilt about z. The coupling of force and
+/// tilt is +K(y, θz) if the preload presses the inner ring to the rear, otherwise -K(y, θz). In the
+/// plane of z, -K(z, θy) replaces K(y, θz). At speed, K(y, θz) and K(θz, y) differ by 1 to 2 %;
+/// their mean is used.
 [[nodiscard]] std::vector<Spring> bearing_springs(
     const bearing::Arrangement& arrangement, std::span<const double> places,
     std::span<const bearing::BearingEquilibrium> bearings);

@@ -26,11 +26,11 @@ struct Cell : Region {
   int column = -1, row = -1;  ///< column and row in the grid
 
   [[nodiscard]] double length() const { return end - start; }
-  [[nodiscard]] double section() const;        ///< solid section across the axis [m²]
+  [[nodiscard]] double section() const;        ///< solid area of the cross-section [m²]
   [[nodiscard]] double heat_capacity() const;  ///< [J/K]
   /// Returns the thermal resistance from the middle of the cell to a face normal to the axis [K/W].
   [[nodiscard]] double half_axial_resistance() const;
-  /// Return the thermal resistance between the middle radius r_m and the inner or outer face r_f,
+  /// Thermal resistance between the middle radius r_m and the inner or outer face r_f,
   /// |ln(r_f/r_m)|/(2 π λ L) [K/W]. λ is `solid_share` times the conductivity of the material, and
   /// L is the length of the cell. The inner resistance of a solid cylinder is infinite.
   [[nodiscard]] double inner_half_resistance() const;
@@ -71,8 +71,8 @@ struct Mesh {
 };
 
 /// Divides regions into cells. The grid has lines at the edges of all regions and at the axial
-/// positions `lines` [m]. Additional grid lines limit the cells to the length `axial` and the
-/// thickness `radial` [m].
+/// positions `lines` [m]. Additional grid lines keep the cells at most `axial` long and `radial`
+/// thick [m].
 ///
 /// Domain: regions must not overlap. Throws std::invalid_argument for a region without volume.
 [[nodiscard]] Mesh make_mesh(std::span<const Region> regions, double axial, double radial,

@@ -39,17 +39,18 @@ struct Modes {
 ///   (-ω² M + ω Ω G + K) q = 0,   ω > 0 forward, ω < 0 backward.
 ///
 /// Ω is the speed, and K is the stiffness matrix. Anisotropic springs couple forward and backward
-/// whirl. The amplitudes are then a and b with v = a e^{iωt} and w = -i b e^{iωt}, so that the
-/// matrices remain real and symmetric. For both kinds of springs, Lanczos iterations solve the
-/// linear eigenvalue problem B x = (1/ω) A x for the largest |1/ω|. x contains the amplitudes and ω
-/// times the amplitudes. B consists of M and Ω G. A = diag(K, M) is positive definite.
+/// whirl. For these springs, the amplitudes are a and b with v = a e^{iωt} and w = -i b e^{iωt}, so
+/// that the matrices remain real and symmetric. For isotropic and anisotropic springs, Lanczos
+/// iterations solve the linear eigenvalue problem B x = (1/ω) A x for the largest |1/ω|. x contains
+/// the amplitudes and ω times the amplitudes. B consists of M and Ω G. A = diag(K, M) is positive
+/// definite.
 ///
 /// Domain:   speed >= 0 [rad/s]; springs at nodes of the beam, with principal planes parallel to y
 ///           and z. Throws std::invalid_argument if `count` is below 1 or a spring is not at a
 ///           node.
-/// Accuracy: the discretisation error decreases with the square of the element length, and is zero
-///           in statics. The error of the solver is close to rounding. Damping, axial and torsional
-///           modes, and modes of the housing are neglected.
+/// Accuracy: the discretisation error of the frequencies decreases with the square of the element
+///           length. The eigenvalue solver adds only errors close to rounding. Damping, axial and
+///           torsional modes, and modes of the housing are neglected.
 [[nodiscard]] Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed,
                                int count = 6);
 

@@ -36,14 +36,14 @@ struct RoundPart {
 ///             σz = ρ ω² ν/(2 (1 - ν)) ((a² + b²)/2 - r²)
 ///
 /// a and b are the radii of bore and outer surface, with the pressures p_a and p_b. T is the
-/// temperature, E, ν, α and ρ are material data, and ω is the speed. The three stress fields are
-/// added. The sum is exact although press_fit() assumes plane stress: an axial stress without
-/// resultant force does not change the radial growth of bore and outer surface.
+/// temperature, E, ν, α and ρ are material data, and ω is the speed. The stresses of heat, fit and
+/// rotation are added. The sum is exact although press_fit() assumes plane stress: an axial stress
+/// without resultant force does not change the radial growth of bore and outer surface.
 /// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
 ///           (fit), the rotating disc in plane strain (rotation).
 /// Domain:   sections several wall thicknesses away from ends, steps and grooves of the part.
-/// Accuracy: exact to rounding for steady radial heat flow. Otherwise the given temperatures limit
-///           the accuracy.
+/// Accuracy: exact to rounding for steady radial heat flow. For other temperature profiles, the
+///           spacing of the given temperatures limits the accuracy.
 [[nodiscard]] std::vector<Stress> stresses_of(const RoundPart& part);
 
 }  // namespace raceway::spindle

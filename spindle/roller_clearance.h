@@ -42,12 +42,13 @@ struct OperatingClearance {
 /// the rollers. press_fit() gives the growths u_i and u_o of the raceways. Each ring is a plain
 /// sleeve between its seat and its raceway. The raceways have the diameters d_m ∓ D, where d_m is
 /// the pitch diameter. With ClearanceState::free, u_i and u_o are relative to the bearing before
-/// mounting. With ClearanceState::mounted, they are relative to the mounted cold bearing at rest.
+/// mounting. With ClearanceState::mounted, u_i and u_o are relative to the mounted cold bearing at
+/// rest.
 /// Source:   derived from Lamé's equations as in press_fit(), and compared with a numerical
 ///           solution of the boundary value problem of the seats.
 /// Domain:   the bore of the bearing must be given, and with a housing also the outer diameter of
-///           the bearing. Throws std::invalid_argument if one of these diameters is missing. The
-///           outer ring does not rotate. The deformation of the rings between the rollers and the
+///           the bearing. Throws std::invalid_argument if a required diameter is missing. The outer
+///           ring does not rotate. The deformation of the rings between the rollers and the
 ///           deformation of the housing are neglected.
 [[nodiscard]] OperatingClearance operating_clearance(const bearing::RollerBearing& bearing,
                                                      const RollerSeats& seats, double speed,

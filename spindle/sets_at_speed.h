@@ -16,7 +16,7 @@ namespace raceway::spindle {
 struct SetsAtSpeed {
   Status status = Status::not_run;  ///< no_equilibrium if the sets or a bearing have no equilibrium
   std::string message = {};
-  /// Condition of the sets, with the ring growth by speed and, for warm sets, by heat.
+  /// Speed, axial load, elongation and ring growth of the sets. Warm sets include thermal growth.
   bearing::ArrangementCondition condition = {};
   bearing::ArrangementEquilibrium equilibrium = {};
   /// Equilibrium of each bearing with its 5x5 stiffness matrix, front set first.
@@ -31,7 +31,8 @@ struct SetsAtSpeed {
 /// not use one object simultaneously.
 class SetsOfSpindle {
  public:
-  /// Throws std::invalid_argument like Simulator and WarmSets.
+  /// The model must be a spindle with bearing sets. Throws std::invalid_argument if the sets cannot
+  /// be mounted.
   explicit SetsOfSpindle(const model::Model& model);
   SetsOfSpindle(SetsOfSpindle&&) noexcept;
   ~SetsOfSpindle();

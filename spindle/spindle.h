@@ -37,7 +37,7 @@ struct Inputs {
   double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
   double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
   /// Moment at the nose in the plane of y [N m]. The moment is positive if it turns the shaft like
-  /// a positive force in front of the nose.
+  /// a positive radial force in front of the nose.
   double moment = 0.0;
   double belt_force = unset;  ///< [N]
   bool coolant_on = true;
@@ -84,9 +84,9 @@ struct CircuitState {
 
 /// Displacements, forces, heat flows and temperatures of a spindle at one time.
 struct Moment {
-  double time = unset;          ///< [s]
-  double displacement = unset;  ///< displacement of the nose face relative to the flange, positive
-                                ///< towards the tool [m]
+  double time = unset;  ///< [s]
+  /// Displacement of the nose face relative to the flange, positive towards the tool [m].
+  double displacement = unset;
   /// Displacement of the shaft relative to cold standstill, calculated with cold bearing sets at
   /// this speed and axial load [m].
   double kinematic_displacement = unset;
@@ -98,7 +98,7 @@ struct Moment {
   double front_force = unset, rear_force = unset;  ///< axial force of each bearing set [N]
   HeatBalance heat = {};
   std::vector<double> sources = {};         ///< heat of each source in model::Spindle::heat [W]
-  std::vector<BearingState> bearings = {};  ///< front set, rear set, roller bearings
+  std::vector<BearingState> bearings = {};  ///< in the order front set, rear set, roller bearings
   /// Sensor temperatures in the order of the model; for a network, all body temperatures [K].
   std::vector<double> sensors = {};
   /// Outlet temperature of the first coolant circuit, T_in + 2 (T_mean - T_in), from the inlet
@@ -174,8 +174,8 @@ struct SurfaceState {
   double conductance = unset;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
   double pressure = unset;     ///< [Pa]; NaN for a surface, and for a joint with given conductance
   /// Heat flow [W]. At a surface and at the flange: out of the spindle. Through the air gap: from
-  /// shaft to housing. At a clamped ring face: from the ring to its neighbour. NaN for shoulders
-  /// and collars.
+  /// shaft to housing. At a clamped ring face: from the ring to its neighbour. At shoulders and
+  /// collars: NaN.
   double heat = unset;
 };
 
@@ -238,7 +238,7 @@ class Simulator {
   /// displacements and forces are NaN.
   [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
   /// Returns the temperatures of all cells at the end of the last call of simulate() or steady().
-  /// In the comments below, "the last call" is also the last call of one of these two functions.
+  /// In the comments below, "the last call" means the last call of one of these two functions.
   [[nodiscard]] const State& state() const;
   /// Returns the equilibrium of the bearing sets at the end of the last call; null for a network.
   [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
@@ -248,8 +248,8 @@ class Simulator {
   /// the bearing loads of this equilibrium. The result is null for a network, and if the shaft has
   /// no radial load, no moment and no roller bearing.
   [[nodiscard]] const LoadedShaft* shaft() const;
-  /// Returns speed, axial load, ring shifts and elongation of the bearing sets in the last call;
-  /// null for a network.
+  /// Returns the condition of the bearing sets in the last call: speed, axial load, growth of the
+  /// rings, and elongation between the sets; null for a network.
   [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
   /// Returns the seats of all bearings at the end of the last call, in the order of
   /// Moment::bearings; empty for a network.
@@ -261,7 +261,7 @@ class Simulator {
   /// be the last moment of the last call. The list is empty for a network.
   [[nodiscard]] std::vector<ShaftPlace> along_shaft(const Moment& moment) const;
   /// Returns the stresses of shaft and rings at the end of the last call. `speed` must be the speed
-  /// in that call [rad/s]. The list is empty for a network.
+  /// in the last call [rad/s]. The list is empty for a network.
   [[nodiscard]] std::vector<SectionStress> stresses(double speed) const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;

@@ -14,8 +14,8 @@ class SpindleSubject : public model::ModelSubject {
   /// Returns the measured quantities: the axial displacement of the nose, then the temperature of
   /// each sensor in the order of the model.
   [[nodiscard]] std::vector<fit::Measured> measured() const override;
-  /// Throws std::invalid_argument unless every row has a speed and a time that increases within the
-  /// run, and the record has at least one measured channel of the model.
+  /// Throws std::invalid_argument if a row has no speed or no time, if the time does not increase
+  /// within a run, or if the record has no channel that the model predicts.
   void require(const fit::Record& record) const override;
   [[nodiscard]] bool has_memory() const override { return true; }
   [[nodiscard]] bool approximates() const override { return true; }
@@ -36,8 +36,8 @@ class SpindleSubject : public model::ModelSubject {
   /// find_warm_start() found before the run.
   [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
-  /// Returns the effects that a diagnosis may add. Effects that change the load or the condition of
-  /// the bearings in operation are left out, because they apply only to models without [shaft] and
+  /// Returns the effects that a diagnosis may add. Effects on the load or the condition of the
+  /// bearings in operation are left out, because they apply only to models without [shaft] and
   /// [housing].
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;

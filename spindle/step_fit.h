@@ -40,17 +40,17 @@ struct StepFit {
 ///           constants. A logarithmic grid and then Gauss-Newton iterations with Kaufman's
 ///           derivatives give the time constants. No start values are needed.
 /// Domain:   one lag needs at least two rows at different times t > 0, and two lags need at least
-///           six rows with t > 0. Rows may have any order and spacing, with t >= 0 [s]. T is
-///           limited to the range from a tenth of the smallest time t > 0 to thirty times the
-///           largest time.
+///           six rows with t > 0. Rows may have any order and spacing, with t >= 0 [s]. The time
+///           constants are limited to the range from a tenth of the smallest time t > 0 to thirty
+///           times the largest time.
 /// Accuracy: relative error of the time constants 1e-9 if the rows follow u(t) exactly.
 /// Traps:    first subtract the kinematic displacement, because this immediate displacement would
 ///           look like a fast lag. Throws std::invalid_argument for too few rows, for a value that
 ///           is not finite, for a negative time, and if all displacements are zero.
 [[nodiscard]] StepFit fit_step(std::span<const double> time, std::span<const double> displacement);
 
-/// Returns the time constants T_k of one or two lags with known gains K_k that decay to zero from
-/// t = 0 [s].
+/// Returns the time constants T_k of one or two lags whose displacements decay to zero from t = 0
+/// [s]. The gains K_k are known.
 ///
 ///   u(t) = Σ K_k exp(-t/T_k)
 ///
@@ -58,8 +58,8 @@ struct StepFit {
 /// were fitted, the lags of the decay would not correspond to the lags of the step.
 /// Method:   a logarithmic grid from a tenth of the smallest time t > 0 to thirty times the largest
 ///           time, refined around its best point.
-/// Accuracy: relative error 1e-6 if the rows follow u(t) exactly. Throws std::invalid_argument
-///           like fit_step(), and if the number of gains is not one or two.
+/// Accuracy: relative error of the time constants 1e-6 if the rows follow u(t) exactly. Throws
+///           std::invalid_argument like fit_step(), and if the number of gains is not one or two.
 [[nodiscard]] std::vector<double> fit_decay(std::span<const double> time,
                                             std::span<const double> displacement,
                                             std::span<const double> gains);

@@ -21,7 +21,7 @@ struct StepResponse {
   Stepped stepped = Stepped::speed;
   double load = unset;         ///< load after the step [N]; NaN: step of speed or power
   std::string load_case = {};  ///< name of an imported load case; empty if simulated
-  double speed = unset;        ///< [rad/s]; NaN: only the power is known
+  double speed = unset;        ///< speed [rad/s]; NaN: only the power is known
   double power_start = unset;  ///< friction loss of all bearings at t = 0 [W]
   /// Friction loss of all bearings at the end [W]: the power P in the laws for gain K(P) and time
   /// constant T(P).
@@ -41,7 +41,7 @@ struct StepResponse {
 /// Cooling at standstill after the end of the fastest speed step. Values are NaN if the cooling was
 /// not requested, or if step or cooling did not converge.
 struct CoolDown {
-  StepFit fit = {};  ///< fit to the decrease of the displacement
+  StepFit fit = {};  ///< fit to the decrease of the displacement since the end of the step
   /// Time constants of the cooling [s], fitted with the gains of the preceding step. They are the
   /// time constants at the friction loss 0 W. `one` belongs to the fit with one lag, `fast` and
   /// `slow` belong to the fit with two lags, and are NaN if the step has no such fit.
@@ -62,7 +62,7 @@ struct LoadSteps {
 struct StepResponses {
   std::vector<StepResponse> steps = {};  ///< in the order of the given speeds
   CoolDown cool_down = {};
-  std::vector<LoadSteps> loads = {};  ///< axial loads first; each load type in order of speeds
+  std::vector<LoadSteps> loads = {};  ///< axial loads, then radial loads; each by speed
 };
 
 struct StepOptions {

@@ -61,8 +61,8 @@ class ThermalSystem {
   [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
   /// Returns all joints and surfaces except the seats of the rings, after the last update().
   [[nodiscard]] std::vector<SurfaceState> surfaces(const Vector& temperatures) const;
-  /// Returns the radial heat flow through the faces of each cell, without the heat that enters at
-  /// raceways.
+  /// Returns the heat that leaves each cell radially, without the heat at raceways, at coolant
+  /// walls and at the outer surface of the housing.
   [[nodiscard]] CylinderHeat through_cylinders(const Vector& temperatures) const;
 
  private:

@@ -11,11 +11,12 @@ namespace raceway::spindle {
 ///   T_γ = T_0 + dt d (f_0 + f_γ)
 ///   T_1 = T_0 + dt (w f_0 + w f_γ + d f_1),     d = γ/2,  w = √2/4
 ///
-/// Both implicit stages have the matrix C + dt d G, with heat capacities C and conductances G. The
-/// method conserves heat: sum C (T_1 - T_0) is exactly dt times the weighted heat flows.
+/// Both implicit stages solve linear equations with the matrix C + dt d G, where C contains heat
+/// capacities and G conductances. The method conserves heat: sum C (T_1 - T_0) is exactly dt times
+/// the weighted heat flows.
 /// Source:   Bank et al. 1985; Hosea and Shampine (Appl Numer Math 20, 1996, p. 21), who give the
 ///           embedded weights of order 3.
-/// Accuracy: order 2; L-stable, because amplification() tends to 0 for z -> -inf.
+/// Accuracy: order 2; A-stable, and L-stable because amplification() also tends to 0 for z -> -inf.
 struct TrBdf2 {
   static constexpr double gamma = 2.0 - std::numbers::sqrt2;
   static constexpr double diagonal = 0.5 * gamma;

@@ -29,13 +29,14 @@ struct Orbit {
 ///
 /// M, G and K are the matrices of find_modes(), Ω is the speed, and ζ is the damping ratio.
 /// Source:   equations of find_modes(). The loss factor 2 ζ of the stiffness gives each mode the
-///           damping ratio ζ at resonance. Tested with a rigid rotor of mass m on springs, with
-///           the natural frequency ω0 and the amplitude |u Ω²/(m (ω0² (1 + 2 i ζ) - Ω²))|.
+///           damping ratio ζ at resonance. Tests compare the result for a rigid rotor with
+///           |u Ω²/(m (ω0² (1 + 2 i ζ) - Ω²))|, where m is the mass of the rotor and ω0 its
+///           natural frequency on the springs.
 /// Domain:   speed >= 0, damping_ratio > 0. At standstill, the amplitude is 0 and the lag is NaN.
 ///           If the equations have no solution, amplitude and lag are NaN.
 /// Trap:     damping inside a rotating shaft has no effect on unbalance response, because the bent
-///           shape rotates with the shaft. The damping ratio therefore describes bearings, joints
-///           and housing, not the shaft.
+///           shape rotates with the shaft. The damping ratio therefore describes the damping of
+///           bearings, joints and housing, not of the shaft.
 [[nodiscard]] Orbit unbalance_orbit(const Beam& beam, std::span<const Spring> springs, double speed,
                                     const Unbalance& unbalance, double at = 0.0);
 

@@ -40,7 +40,8 @@ class WarmRollers {
   double roller_conductivity_;
   double speed_ = 0.0;
   bearing::RollerEquilibrium taken_;
-  /// Sums of the roller loads on each ring [N], and thermal conductance [W/K], at `taken_`.
+  /// Sums of the roller loads on each ring [N] and thermal conductance [W/K], in the equilibrium
+  /// `taken_`.
   double inner_sum_ = unset, outer_sum_ = unset, conductance_ = unset;
 };
 

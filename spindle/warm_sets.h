@@ -49,8 +49,8 @@ class WarmSets {
   /// Sets speed and axial load. Returns false if the cold bearing sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Computes equilibrium and friction heat. Returns false if the sets have no equilibrium, if a
-  /// ring temperature is outside 50 to 800 K, or if a friction value is not finite. The results
-  /// then remain unchanged.
+  /// ring temperature is outside 50 to 800 K, if a ring shift exceeds 1 mm or the elongation 10 mm,
+  /// or if a friction value is not finite. The results then remain unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
   /// Replaces the axial bearing loads by the bearing loads of the bent shaft, at the temperatures
   /// of the last solve(). If `bent` is null, only axial loads act. Returns false if a friction
@@ -64,8 +64,8 @@ class WarmSets {
   [[nodiscard]] const bearing::ArrangementCondition& asked() const { return asked_.sets; }
   [[nodiscard]] const bearing::Arrangement& arrangement() const { return balance_.arrangement(); }
   [[nodiscard]] std::size_t bearings() const { return heat_.size(); }
-  /// Return the axial position of the shaft [m] and the axial forces of the sets [N], with the
-  /// contributions of radial loads.
+  /// Axial position of the shaft [m] and axial forces of the sets [N], with the contributions of
+  /// radial loads.
   [[nodiscard]] double position() const { return sets_.position + more_position_; }
   [[nodiscard]] double front_force() const { return sets_.front_force + more_front_; }
   [[nodiscard]] double rear_force() const { return sets_.rear_force + more_rear_; }
@@ -85,8 +85,8 @@ class WarmSets {
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
-  /// Returns the friction heat by the contact law: the mean of the heat in the warm sets with the
-  /// weight feedback_ and of the heat in the cold sets with the weight 1 - feedback_.
+  /// Returns the friction heat by the contact law: the weighted mean of the heat in the warm sets
+  /// (weight feedback_) and the heat in the cold sets (weight 1 - feedback_).
   [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
                                              const bearing::ArrangementEquilibrium& sets,
                                              const UnevenBalls* uneven, BearingHeat heat) const;

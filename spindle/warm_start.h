@@ -22,11 +22,12 @@ struct WarmStart {
   [[nodiscard]] std::string statement() const;
 };
 
-/// Finds the operation before the first row of a run that agrees best with the thermometers in the
-/// first row. The result is empty unless at least two thermometers, or the only one, read more than
-/// 2 K above a simulated cold start. The result is also empty if the record has no ambient
-/// temperature, or if the RMS error of the best operation is not below half of the RMS error of a
-/// cold start.
+/// Finds the operation before the first row of a run whose simulated temperatures agree best with
+/// the thermometers in the first row. The result is empty unless at least two thermometers (or one,
+/// if the model has only one) read more than 2 K above their temperatures in a simulated cold
+/// start. The result is also empty if the record has no ambient temperature, or if the RMS
+/// temperature error of the best operation is not below half of the RMS temperature error of a cold
+/// start.
 ///
 /// The candidate operations have a constant speed above 0: the speed of the first row, or the mean
 /// or the highest speed of the run. They last 0.25, 0.5, 1, 2, 4 or 8 hours, with the other inputs

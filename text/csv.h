@@ -52,8 +52,8 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 /// headers, and text or statistics ("mean", "max") after the last row are skipped. A cell may be
 /// quoted ("a ""b"""), but a quoted cell must end on the same line. If a file of another program
 /// has a unit after every number of a column ("12.3 °C"), this unit becomes the unit of the column.
-/// Blanks around cells are removed. An apostrophe before =, +, - or @ that prevents a formula is
-/// removed too (text/detail/csv_text.h).
+/// Blanks around cells are removed. An apostrophe that stops a spreadsheet from reading =, +, -
+/// or @ as a formula is removed too (text/detail/csv_text.h).
 /// Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
@@ -87,11 +87,12 @@ class CsvTable {
   /// ambiguous cell, such as 1.200 in a column with 600.
   [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
-  /// Returns the place of this column in the header, for error messages.
+  /// Returns the place of the column `name` in the header, for error messages.
   [[nodiscard]] Place header_place(std::string_view name = {}) const {
     return {.file = source, .line = header_line, .key = std::string(name)};
   }
-  /// Returns the number in a cell. Throws InputError with line and column for anything else.
+  /// Returns the number in a cell. Throws InputError with line and column if the cell is not a
+  /// number.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
   /// Sets the decimal mark to point or comma. The other mark then separates thousands. Without this
   /// call, the table finds the decimal mark from its cells, and number() and parsed() throw
@@ -121,8 +122,8 @@ class CsvTable {
 
 /// Creates a table from columns of numbers or texts. Row numbers in messages are the line numbers
 /// of a CSV file with one header line. Throws InputError if there are no columns or no rows, if
-/// columns have different lengths, if a column name is missing or occurs twice, and for a control
-/// character.
+/// columns have different lengths, if a column name is missing or occurs twice, or if a text has a
+/// control character.
 [[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
 
 /// Reads a file. Throws InputError in these cases: the file cannot be read; it has a control

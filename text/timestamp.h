@@ -61,9 +61,9 @@ struct ShortTime {
 /// change to summer time.
 [[nodiscard]] bool clocks_may_change(double before, bool forward);
 
-/// Converts days since 1900, as Excel counts them, to seconds since 1970. Day 60 of Excel is 29
-/// February 1900, which did not exist. The result is empty outside the years of Excel, 1900 to
-/// 9999.
+/// Converts a date number of Excel (in days; 1 is 1 January 1900) to seconds since 1970. Number 60
+/// of Excel is 29 February 1900, which did not exist. The result is empty outside the years of
+/// Excel, 1900 to 9999.
 [[nodiscard]] std::optional<double> seconds_of_excel(double days);
 
 /// Returns seconds since 1970 as a text such as "2024-03-12T08:15:00.500", for the years 0 to 9999.

@@ -44,8 +44,8 @@ struct Unit {
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
 };
 
-/// Returns all units. For each dimension, the first unit that occurs in channel names is the unit
-/// of this program.
+/// Returns all units. For each dimension, this program uses the first unit that occurs in channel
+/// names.
 [[nodiscard]] std::span<const Unit> units();
 
 /// Returns the unit with this spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm",

@@ -10,10 +10,10 @@
 #include "fit/separable.h"
 #include "fit/subject.h"
 
-/// Fits models that only approximate the record (Subject::approximates()).
+/// Fits models that only approximate the readings (Subject::approximates()).
 namespace raceway::tolerance {
 
-/// Record and means of its readings, prepared for the fit of a model that only approximates.
+/// Record and means of its readings, prepared for the fit of a model that only approximates them.
 struct Recorded {
   std::shared_ptr<const record::Record> record{};
   std::shared_ptr<const void> prepared{};  ///< result of Subject::prepare()
@@ -21,8 +21,8 @@ struct Recorded {
   double duration = unset;  ///< duration of the longest run [s]
 };
 
-/// Returns the usual width of the means [s]: a minute or a 1500th of the longest run, whichever is
-/// longer. recorded() calculates the means; with a `width` of 0, it keeps single rows.
+/// Returns the usual duration of one mean [s]: a minute or a 1500th of the longest run, whichever
+/// is longer. recorded() calculates the means; with a `width` of 0, it keeps single rows.
 [[nodiscard]] double usual_width(const record::Record& record);
 [[nodiscard]] Recorded recorded(const fit::Subject& subject,
                                 std::shared_ptr<const record::Record> record, double width);
@@ -56,19 +56,20 @@ struct Approximation {
 };
 
 struct ApproximationOptions {
-  std::vector<Eigen::VectorXd> starts{};  ///< starts in addition to the start of the subject
+  std::vector<Eigen::VectorXd> starts{};  ///< starting values, in addition to the subject's
   int random_starts = 24;
-  int polished = 3;    ///< number of the best starts from which a fit runs
+  int polished = 3;    ///< number of best starts; a fit runs from each of them
   bool rough = false;  ///< true: a costly fit stops when its final misfit is known roughly
   std::function<bool()> cancelled{};
 };
 
 /// Fits the named parameters from several starts.
 ///
-/// Parameters with a prior are fitted from the prior, after a fit of all others. The variance of
-/// the means includes the autocorrelation of the residual. This variance is estimated again after
-/// each fit until it changes by at most 5 %, up to eight times. If the record reduces the variance
-/// of a prior by less than a tenth, the parameter stays at the prior.
+/// The function first fits the parameters without a prior, with all others at their priors. Then it
+/// fits all parameters from this result. The variance of the means includes the autocorrelation of
+/// the residual. This variance is estimated again after each fit until it changes by at most 5 %,
+/// up to eight times. If the record reduces the variance of a prior by less than a tenth, the
+/// parameter stays at the prior.
 [[nodiscard]] Approximation approximate(std::shared_ptr<const fit::Subject> subject,
                                         const Recorded& recorded,
                                         const std::vector<std::string>& names,
@@ -80,7 +81,7 @@ struct ApproximationOptions {
 /// Throws std::invalid_argument if no start gives a prediction for every reading.
 void require_fit(const Approximation& approximation);
 
-/// Fits a model with candidates switched on, starting from `base`, the fit without them.
+/// Fits a model with candidate effects switched on, starting from `base`, the fit without them.
 [[nodiscard]] Approximation approximate_with(const Approximation& base, const Recorded& recorded,
                                              const std::vector<const fit::Candidate*>& candidates,
                                              const ApproximationOptions& options = {});
@@ -89,7 +90,7 @@ void require_fit(const Approximation& approximation);
 [[nodiscard]] Approximation finished(const Approximation& rough, const Recorded& recorded);
 
 /// Computes the held-out residuals and their RMS: each block is predicted from a fit to all other
-/// blocks. For costly models, the derivatives `slope` give the result of this fit. Each simulation
+/// blocks. For costly models, this fit is linearised with the derivatives `slope`. Each simulation
 /// runs through all rows, also through the rows of the held-out block.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
@@ -100,8 +101,8 @@ void hold_out(Approximation& approximation, const Recorded& recorded);
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
-/// Covariance matrix of the fitted parameters, NaN for a parameter at a bound. It includes the
-/// autocorrelation of the residuals and the declared error of the model.
+/// Uncertainty of a fit. The covariance matrix of the parameters is NaN for a parameter at a bound.
+/// It includes the autocorrelation of the residuals and the declared error of the model.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
   double condition = unset;  ///< condition number of the derivatives, with columns of length 1 [1]

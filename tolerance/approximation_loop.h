@@ -17,14 +17,14 @@ namespace raceway::tolerance {
 /// Diagnoses a model on means over a minute or more. All errors below are held-out errors. An error
 /// is within the tolerance if every measured channel is within its tolerance.
 ///
-///   1. refit without candidates. An error within the tolerance: nothing-missing.
-///   2. refit with each candidate alone. An error within the tolerance: effect (or ambiguous), with
-///      the best candidate and all candidates close to it.
-///   3. The record itself shows a fault with certainty: effect-like.
-///   4. refit with pairs of candidates. An error within the tolerance that is at most 1/1.2 of the
-///      smallest error with a single candidate: several-effects.
-///   5. A single candidate removes at least half of the mean square error: effect-like. Otherwise:
-///      not-in-catalogue.
+///   1. Refit without candidates. Verdict for an error within the tolerance: nothing-missing.
+///   2. Refit with each candidate alone. Verdict for an error within the tolerance: effect (or
+///      ambiguous), with the best candidate and all candidates close to it.
+///   3. The record itself proves a fault of the measurement (fit::Fault). Verdict: effect-like.
+///   4. Refit with pairs of candidates. Verdict for an error that is within the tolerance and at
+///      most 1/1.2 of the smallest error with a single candidate: several-effects.
+///   5. A single candidate removes at least half of the mean square error. Verdict: effect-like.
+///      Otherwise: not-in-catalogue.
 ///
 /// The diagnosis ends at the first step that gives a verdict. Candidates driven by a column of the
 /// record (Candidate::by_column) are accepted only after step 3.

@@ -6,7 +6,7 @@
 
 namespace raceway::tolerance {
 
-/// Returns true if the readings of a channel change only once, in one direction, for example while
+/// Returns true if the readings of a channel change essentially in one direction, for example while
 /// a machine warms up. The sum of the magnitudes of all changes of the smoothed readings is then
 /// less than 1.3 times their range. In such a record, no block can be predicted from the other
 /// blocks. The result is also true if the channel has no readings.

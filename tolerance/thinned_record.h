@@ -6,10 +6,10 @@
 
 namespace raceway::tolerance {
 
-/// Returns a shorter time record for a search: about 8000 means over equal times. Returns the
-/// record itself if it has at most 20 000 rows or no time, or if the means would not halve the
-/// number of rows. A search needs hundreds of simulations, whose cost grows with the number of
-/// rows. At the end, the model that the search found is fitted to all rows.
+/// Returns a shorter copy of a record for a search: about 8000 means over equal time intervals.
+/// Returns the record itself if it has at most 20 000 rows or no time, or if the means would not
+/// halve the number of rows. A search needs hundreds of simulations, whose cost grows with the
+/// number of rows. At the end, the model that the search found is fitted to all rows.
 ///
 /// Each row of the result is a mean at the mean time of its rows. An input that varies linearly is
 /// exact at this time. For an input that is constant until the next row, the mean over time is

@@ -27,7 +27,7 @@ struct Explanation {
   std::vector<Eigen::VectorXd> starts{};
   Gate recheck{};  ///< test of the residuals of `fit` for a further missing effect
   bool rechecked = false;
-  double least_loss = unset;  ///< loss of gain if the weakest of several candidates is left out
+  double least_loss = unset;  ///< smallest loss of gain if one of several candidates is left out
   /// True if the candidate changes the readings by its law times fitted powers of the inputs
   /// (Attribution::elastic()).
   bool elastic = false;
@@ -72,8 +72,8 @@ class Attribution {
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
   /// Returns fits with three candidates, sorted by gain, largest first: one of the best pairs and
-  /// one more candidate. Triples that contain a corrected datum are left out. The fits are coarse,
-  /// as in pairs().
+  /// one more candidate. Triples that contain a candidate for a wrong datum are left out. Most fits
+  /// are coarse; see refine().
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;
@@ -97,7 +97,8 @@ class Attribution {
   };
   [[nodiscard]] Directions directions(const std::vector<Explanation>& singles) const;
   using Members = std::pair<std::size_t, std::size_t>;
-  /// Returns pairs with their linearised gain times -1, sorted by gain, largest gain first.
+  /// Returns pairs, each with the negative of its linearised gain. The pair with the largest gain
+  /// is first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
   /// Adds the candidate of `single` to `first`. The fit is coarse and starts from the sizes in

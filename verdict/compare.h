@@ -48,7 +48,8 @@ struct LackOfFit {
   /// Number of rows minus number of fitted parameters. If the noise comes from repeats, a group of
   /// repeated rows counts as one row.
   int degrees_of_freedom = 0;
-  /// Degrees of freedom of the scatter within repeats (pure error); 0 for all other sources.
+  /// Degrees of freedom of the scatter within repeats (pure error); 0 if the noise does not come
+  /// from repeats.
   int noise_degrees_of_freedom = 0;
 };
 
@@ -69,7 +70,7 @@ struct Pattern {
 /// decides: `structure` means that the RMS error exceeds it, `noise` that it does not, and
 /// `unknown` that no tolerance is given.
 enum class Judgement {
-  structure,  ///< systematic: p < 0.01 in LackOfFit, or in Pattern if the noise is unknown
+  structure,  ///< systematic misfit: p < 0.01 in LackOfFit, or in Pattern if the noise is unknown
   noise,      ///< the misfit is no larger than the noise
   unknown     ///< the noise is unknown, and the residuals show no pattern
 };
@@ -126,8 +127,8 @@ struct Comparison {
                                  const fit::Measured& measured, int fitted_parameters = 0);
 
 /// Adds the errors of groups of rows to Comparison::where. `group` names the group of each row; an
-/// empty name means no group. `kind` is a channel with Role::run. Texts call a group by the words
-/// of this channel (Channel::words).
+/// empty name means no group. `kind` is a channel with Role::run. Texts name a group by the
+/// readable name of this channel (Channel::words) and the name of the group.
 void add_groups(Comparison& comparison, const record::Channel& kind,
                 const std::vector<std::string>& group);
 

@@ -27,8 +27,8 @@ struct DiagnoseOptions {
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// Finds out whether the model misses an effect, and which effect it is or which measurement would
-/// decide.
+/// Tests whether the model misses an effect, and identifies this effect or suggests measurements
+/// that would identify it.
 ///
 ///   1. noise from a saturated regression
 ///   2. gate: test for any missing effect, by an F test and a score test (Gate in verdict/gate.h)
@@ -37,9 +37,10 @@ struct DiagnoseOptions {
 ///   5. test on held-out blocks of rows, and check whether the sizes are plausible
 ///   6. next measurements, if the data cannot decide
 ///
-/// The gate tests at a level of 1 % whether any effect is missing. An effect is accepted if -2 ln L
-/// falls by more than ln N + 2 ln m, with N readings and m tried candidates. The verdict names the
-/// best effect, and all effects whose -2 ln L is at most 6 above the -2 ln L of the best effect.
+/// The gate tests at a level of 1 % whether any effect is missing. An effect is accepted only if
+/// its gain (RankedEffect::gain) exceeds ln N + 2 ln m, with N readings and m tried candidates. The
+/// verdict names the best effect, and all effects whose gain is at most 6 below the gain of the
+/// best effect.
 ///
 /// The other base models (Subject::other_bases()) are calibrated to the readings and compared like
 /// candidates in two cases: no candidate explains the misfit, or one candidate fits only with
@@ -53,8 +54,8 @@ struct DiagnoseOptions {
 /// If a channel has a tolerance (Measured::tolerance), the held-out error within the measured range
 /// decides, after subtraction of the noise: sqrt(error² - noise²). Nothing is missing if the gate
 /// gives no alarm, or if the error of the refitted model is within the tolerance. An effect
-/// explains the data if its gain exceeds the threshold above, its size is plausible, and the error
-/// with this effect is within the tolerance. Effects whose error is at most a fifth larger than the
+/// explains the data if its gain exceeds ln N + 2 ln m, its size is plausible, and the error with
+/// this effect is within the tolerance. Effects whose error is at most a fifth larger than the
 /// smallest error are also named. Two effects explain the data if no single effect does, if the
 /// pair brings the error within the tolerance, and if the error of the best single effect is at
 /// least a fifth larger than the error of the pair.

@@ -53,7 +53,7 @@ struct RankedEffect {
   std::string datum{};
   std::string correction{};  ///< text with the corrected value of the datum
   /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
-  /// place, unless there is only one choice.
+  /// place, unless the effect can act at one place only.
   std::vector<std::pair<std::string, std::string>> acts_on{};
   bool by_column = false;  ///< true if the id names the column of the record that drives the effect
   bool in_verdict = false;
@@ -61,13 +61,13 @@ struct RankedEffect {
   /// neither the size nor at a bound, with N readings. If the verdict is `several_effects` and
   /// includes this effect, this is the gain of the whole set.
   double gain = unset;
-  fit::Likelihood likelihood{};  ///< likelihood of the model that `gain` refers to
+  fit::Likelihood likelihood{};  ///< likelihood of the fit that gives `gain`
   std::vector<double> rmse{};    ///< RMS error of each channel on the rows of the fit [SI]
   /// Held-out RMS error of each channel [SI]; calculated only for the effects of the verdict and
   /// the six best other effects.
   std::vector<double> rmse_held_out{};
   std::vector<record::Parameter> parameters{};  ///< parameters of the effect, named without its id
-  std::size_t size = 0;  ///< index of the parameter that gives the effect its size
+  std::size_t size = 0;  ///< index in `parameters` of the parameter that gives the size
   /// Free parameters of the model: `start` is the value fitted without the effect, `value` the
   /// value fitted with it. The difference shows how far these parameters had compensated for the
   /// missing effect.
@@ -98,8 +98,8 @@ struct Correlation {
   Eigen::MatrixXd matrix{};
 };
 
-/// Contribution of one effect to the readings [SI], channel by channel. In a channel, readings are
-/// in the order of ChannelDiagnosis::baseline.errors.
+/// Contribution of one effect to the readings [SI], channel by channel. Within a channel, the
+/// readings are in the order of ChannelDiagnosis::baseline.errors.
 struct EffectShare {
   std::string id;
   std::vector<double> readings{};
@@ -108,7 +108,7 @@ struct EffectShare {
 /// Readings that the model predicts with a set of effects, and the contribution of each effect. The
 /// order of the readings is as in EffectShare.
 struct ExplainedReadings {
-  /// Prediction with the effects in the model and its free parameters refitted [SI].
+  /// Prediction of the model with the effects and with refitted free parameters [SI].
   std::vector<double> total{};
   std::vector<double> base{};  ///< prediction of the same model with the effects switched off [SI]
   /// For each effect, `total` minus the prediction without this effect.
@@ -132,14 +132,14 @@ struct DetectableSize {
 
 struct NotTestable {
   std::string id;
-  /// Reason in words: data that are missing, parameters that have the same influence, or another
-  /// reason that excludes the effect.
+  /// Reason in words, for example missing data, or free parameters that change the readings in the
+  /// same way.
   std::string reason;
 };
 
 /// Pattern of the residuals over time that no effect of the catalogue explains.
 struct Course {
-  /// Start and end of each time span with the largest residuals [s].
+  /// Start and end of each of the time spans with the largest residuals [s].
   std::vector<std::pair<double, double>> when{};
   double period = unset;         ///< period of the pattern [s]; NaN if the pattern does not repeat
   double time_constant = unset;  ///< correlation time of the residuals [s]
@@ -148,7 +148,7 @@ struct Course {
 /// Measurement that would separate effects that the present data cannot separate.
 struct SuggestedMeasurement {
   std::vector<fit::Setting> point;
-  std::string words;  ///< description of the point
+  std::string words;  ///< description of the measuring point
   int repeats = 2;
   std::string separates{};  ///< ids of the two effects: "this-effect / that-effect"
   /// Difference between the readings that the two effects predict at this point, in standard
@@ -158,8 +158,8 @@ struct SuggestedMeasurement {
 
 /// Another base model, calibrated to the same readings instead of the given base model.
 struct OtherBaseTried {
-  std::string id;     ///< id for add(): "law:skf"
-  std::string words;  ///< name in model files
+  std::string id;     ///< id for add(), such as "law:skf"
+  std::string words;  ///< name of the base law in model files
   /// Fall of -2 ln L relative to the given model without effects, minus ln N for each additional
   /// free parameter, with N readings.
   double gain = unset;
@@ -179,21 +179,21 @@ struct Diagnosis {
   std::string headline;                    ///< verdict in one short line
   std::string sentence;                    ///< verdict with the numbers that support it
   std::vector<ChannelDiagnosis> channels;  ///< channels, in the order of Subject::measured()
-  /// P-value of the test for a missing effect (verdict/gate.h): probability of such a misfit if no
-  /// effect is missing.
+  /// P-value of the test for a missing effect (verdict/gate.h): probability of a misfit at least
+  /// this large if no effect is missing.
   double p_value = unset;
   /// P-value of the same test with the effects of the verdict in the model.
   double remaining_p_value = unset;
   std::vector<RankedEffect>
-      effects;  ///< effects of the verdict, beginning with the best set, then other effects by rank
+      effects;  ///< effects of the verdict, best set first, then other effects, largest gain first
   std::vector<std::vector<std::string>>
       sets;  ///< sets of effects whose gain is close to the best, best first
   /// One fit for each of `sets`; empty if the model only approximates the readings.
   std::vector<SetFit> fits;
   /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
-  /// Correlation of the parameters in the fit of the best set, or without effects if there is no
-  /// set.
+  /// Correlation of the parameters in the fit with the best set, or in the fit without effects if
+  /// there is no set.
   Correlation correlation;
   /// Predicted readings with the best set of the verdict, if there is one, followed by the
   /// predicted readings with each ranked effect outside this set.
@@ -241,7 +241,7 @@ struct Diagnosis {
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user
 
-  /// Returns true if a tolerance is given, which then decides the verdict.
+  /// Returns true if a channel has a tolerance. The verdict then depends on the held-out error.
   [[nodiscard]] bool tolerance_limited() const;
 };
 

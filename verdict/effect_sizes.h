@@ -37,8 +37,8 @@ namespace raceway::verdict {
 /// the sum of the squared whitened residuals when the candidate is added. R is the part of the
 /// remaining sum of squares that one offset for each block explains. The probability is 0 if the
 /// candidate is also visible within blocks. The result is NaN if there are no blocks that may be
-/// undeclared runs (RowOrder::new_block), and if the law of the candidate is multiplied by powers
-/// of the inputs (Attribution::elastic()).
+/// undeclared runs (RowOrder::new_block), or if the law of the candidate is multiplied by powers of
+/// the inputs (Attribution::elastic()).
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 
@@ -62,7 +62,7 @@ namespace raceway::verdict {
                                          const Eigen::MatrixXd& covariance);
 
 /// Returns the RMS error of each channel over the held-out blocks of all blockings [SI]. The result
-/// is empty if `blockings` is empty, and if a law is multiplied by powers of the inputs
+/// is empty if `blockings` is empty, or if a law is multiplied by powers of the inputs
 /// (Attribution::elastic()).
 [[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const fit::Response& response,
                                            const fit::ResponseFit& fit,
@@ -75,8 +75,8 @@ namespace raceway::verdict {
     const Evidence& evidence, const fit::Response& response, const fit::ResponseFit& fit,
     const std::vector<fit::Blocking>& blockings);
 
-/// Returns the readings that the fit `e` predicts, and the contributions of its effects. Call it
-/// only if no law is multiplied by powers of the inputs (Attribution::elastic()).
+/// Returns the readings that the fit `e` predicts, and the contributions of its effects. Call this
+/// function only if no law is multiplied by powers of the inputs (Attribution::elastic()).
 [[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::verdict

@@ -10,7 +10,8 @@
 
 namespace raceway::verdict {
 
-/// Largest number of rows in a fit. From a larger record, this number of rows is chosen at random.
+/// Largest number of rows in a fit. From a larger record, this number of rows is chosen at random,
+/// unless readings depend on earlier rows.
 constexpr int most_rows_of_a_fit = 4000;
 
 /// Model, readings, candidates for missing effects, and noise, prepared for a diagnosis.
@@ -50,8 +51,9 @@ struct EvidenceOptions {
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model. The
-/// function uses at most `most_rows` rows, chosen at random. Throws std::invalid_argument if the
-/// data cannot give a verdict; the message names the missing measurements or the problem.
+/// function uses at most `most_rows` rows, chosen at random, or all rows if readings depend on
+/// earlier rows. Throws std::invalid_argument if the data cannot give a verdict; the message names
+/// the missing measurements or the problem.
 [[nodiscard]] Evidence gather_evidence(const fit::Subject& subject, const record::Record& record,
                                        const EvidenceOptions& options = {});
 

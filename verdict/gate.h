@@ -69,7 +69,8 @@ constexpr double invisible = 0.02;
 /// readings with respect to the free parameters, `surface` the terms of a smooth function, and
 /// `scores` the changes of the readings by the candidates, in one or more columns for each
 /// candidate. All matrices and the residuals are whitened. `one_sided` marks the columns of
-/// candidates whose size can only be positive.
+/// candidates whose size can differ from its neutral value in one direction only. These columns are
+/// the changes for that direction.
 [[nodiscard]] Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,
                              const Eigen::MatrixXd& surface, const Eigen::MatrixXd& scores,
                              const std::vector<bool>& one_sided, double degrees_of_freedom,

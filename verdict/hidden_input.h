@@ -19,7 +19,7 @@ struct HiddenInput {
   /// Share of the variance of these readings that is common to the rows of a run [1]; NaN for fewer
   /// than two runs or too few rows.
   double run_share = unset;
-  /// Probability of such a `run_share` by chance; NaN if `run_share` is NaN.
+  /// Probability of a `run_share` at least this large by chance; NaN if `run_share` is NaN.
   double run_p_value = unset;
   /// Returns true if the readings change mainly from run to run, and less from row to row.
   [[nodiscard]] bool follows_the_runs() const { return run_p_value < 1e-3 && run_share > 0.5; }

@@ -12,8 +12,8 @@ struct NextPoints {
   std::vector<fit::Axis> axes;  ///< inputs that a point sets, with their possible values
   /// Predicted χ² that remains if the wrong one of two explanations is refitted to the present and
   /// the new readings [1]. The two explanations are the pair that is hardest to separate. For
-  /// `predicted_separation`, the new readings are at `points`; for `separation_by_repetition`, they
-  /// are as many repeats of existing rows.
+  /// `predicted_separation`, the new readings are at `points`; for `separation_by_repetition`, the
+  /// same number of readings repeats existing rows.
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 
@@ -21,7 +21,7 @@ struct NextPoints {
 /// Subject::axes(). The design is T-optimal for the pair of explanations that is hardest to
 /// separate. The search adds points one by one until the predicted separation reaches 20 or `most`
 /// readings, including repeats, are planned. It then replaces points by better ones, one at a time.
-/// The result is empty for fewer than two explanations, for a model without axes, and for a model
+/// The result is empty for fewer than two explanations, for a model without axes, or for a model
 /// whose readings depend on earlier rows.
 [[nodiscard]] NextPoints next_points(const Evidence& evidence,
                                      const std::vector<const Explanation*>& rivals, int most = 12);

@@ -52,7 +52,8 @@ class Search {
   /// Refits the model with each candidate alone.
   void refit_singles();
   [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
-  /// Searches until the residuals are noise. Triples are also tried if a pair leaves only noise.
+  /// Searches until the residuals are noise. Triples are also tried if the residual with a pair is
+  /// only noise.
   [[nodiscard]] Finding explain();
   /// Searches until the held-out error is within the tolerance.
   [[nodiscard]] Finding explain_within_tolerance();
@@ -109,7 +110,7 @@ class Search {
   std::optional<fit::Shape> shape_;
 };
 
-/// Largest difference in -2 ln L between the best set and another set of the verdict.
+/// Largest difference in gain between the best set and another set of the verdict.
 constexpr double within_reach = 6.0;
 constexpr double passed = 0.01;  ///< smallest p-value of residuals that are accepted as noise
 

@@ -28,8 +28,8 @@ namespace raceway::verdict {
 /// Returns the sentence for a model whose held-out error is within the tolerance. It names
 /// Diagnosis::significant_but_immaterial.
 [[nodiscard]] std::string within_tolerance_text(const Diagnosis& d);
-/// Returns a text with the errors of the fits without and with the effects and, if no tolerance is
-/// given, the held-out errors.
+/// Returns a text with the RMS errors of the fits without and with the effects. If no tolerance is
+/// given, the text also contains the held-out errors.
 [[nodiscard]] std::string error_text(const Diagnosis& d);
 /// Returns a text with the changes of the free parameters when the effects of the verdict are left
 /// out. It is empty if all changes are below 1 %.

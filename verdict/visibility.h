@@ -22,7 +22,7 @@ struct Visibility {
 /// (verdict/gate.h) would detect the candidate in 99 of 100 cases. The function also calculates the
 /// separable size, at which a fit with the most similar other effect instead of the candidate would
 /// have a -2 ln L that is higher by 20. Both sizes assume that the change of the readings is
-/// proportional to the size. If this detectable size is outside the range of the parameter, the
+/// proportional to the size. If the detectable size is outside the range of the parameter, the
 /// function predicts the change without this assumption and looks for a detectable size within the
 /// range. If there is none, the effect is in Visibility::not_testable. A separable size outside the
 /// range is NaN.

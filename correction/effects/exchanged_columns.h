@@ -4,10 +4,10 @@
 
 namespace raceway::correction {
 
-/// Two temperature columns have exchanged names, because two plugs or two headers were exchanged.
-/// For each pair of temperatures with at least one input of the model, faults() returns the record
-/// with the two columns exchanged. Columns with jumps are left out. A pair is also left out if the
-/// mean of both columns is the input of a channel.
+/// Two temperature columns have exchanged names, because two plugs or two column headers were
+/// exchanged. For each pair of temperatures with at least one input of the model, faults() returns
+/// a possible fault with a record in which the two columns are exchanged. Columns with jumps are
+/// left out. A pair is also left out if the mean of both columns is the input of a channel.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

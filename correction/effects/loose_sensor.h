@@ -5,10 +5,10 @@
 namespace raceway::correction {
 
 /// A temperature sensor was loose for some time: it measured only a fraction of the temperature
-/// rise above ambient. The loose time begins and ends with a jump of the reading. If the record has
-/// only one of the two jumps, faults() tests several positions of the other jump: rows in which the
-/// reading is close to ambient, and the start or end of the record. Only records with one run are
-/// examined.
+/// rise above ambient. The loose period begins and ends with a jump of the reading. If the record
+/// has only one of the two jumps, faults() tests several positions of the other jump: rows in which
+/// the reading is close to ambient, and the start or end of the record. Only records with one run
+/// are examined.
 struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",

@@ -7,8 +7,8 @@ namespace raceway::correction {
 /// The predicted displacement has steps, because a feedthrough passes on each change in the last
 /// digit of a temperature sensor. faults() reports this effect if reading minus prediction steps by
 /// more than 0.4 of the predicted step, in the opposite direction. The ratio of the two steps is
-/// the mean over 30 or more changes and must exceed 8 standard errors. The predicted steps must
-/// also explain at least 40 % of the variance of the residual.
+/// the mean over 30 or more changes and must exceed 8 standard errors. The rounding error of the
+/// sensor must also explain at least 40 % of the variance of the residual.
 struct SensorQuantisation final : EffectKind {
   static constexpr EffectCard quantisation_card{
       .id = "sensor-quantisation",

@@ -7,7 +7,7 @@
 
 namespace raceway::correction {
 
-/// Numbers that several effects use: an infinite bound, the gain and the time constant.
+/// Constants of several effects: an infinite bound, and the parameters gain and time constant.
 inline constexpr double any_size = std::numeric_limits<double>::infinity();
 inline constexpr record::NumberCard gain_number{"gain", "um/u", 0.0, -any_size, any_size};
 /// Time constant [s]. In a fit, the bounds are narrower, depending on the duration and the sampling

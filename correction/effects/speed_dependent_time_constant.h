@@ -8,6 +8,8 @@ namespace raceway::correction {
 /// The time constant τ and the gain K of a channel's lags decrease with the speed n:
 ///
 ///   τ = τ0 f,  K = K0 f^g,  f = 1/(1 + s n/10 000 rpm)
+///
+/// τ0 and K0 are the values at standstill, and s and g are the parameters of the effect.
 struct SpeedDependentTimeConstant final : EffectKind {
   static constexpr record::NumberCard s{"s", "1", 0.0, 0.0, 6.0, 0.0, 6.0, 0.0};
   static constexpr record::NumberCard g{"g", "1", 1.0, 0.0, 1.5, 0.0, 1.5, unset};

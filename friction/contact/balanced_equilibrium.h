@@ -22,8 +22,8 @@ class TurningBalls {
   /// result of the previous call. Returns false if the solver finds no rotation for a ball;
   /// `status()` then gives the reason. `ball_scale` is a typical load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
-  /// True if the last turn() changed the forces on the balls and the cage speeds by at most the
-  /// solver tolerances. At standstill, only the cage speeds are checked.
+  /// True if the last turn() changed the ball forces and the cage speeds by at most the solver
+  /// tolerances. At standstill, only the cage speeds are checked.
   [[nodiscard]] bool settled() const;
   /// Largest change of a force on a ball in the last turn(), divided by the outer contact load of
   /// the ball plus `ball_scale` [1].
@@ -71,11 +71,12 @@ struct BalancedEquilibrium {
 /// fewer than 1 in 100 extreme cases). `report` then gives the reason.
 ///
 /// Domain:   as for solve_bearing_equilibrium(). At standstill, the ball rotations do not affect
-///           the forces. The function ignores `options.race_control` and `options.rotations`.
-/// Accuracy: the forces on each ball are accurate to 1e-8 of its load. The traction law at small
-///           slip limits the physical accuracy. In a full film, where traction is small, contact
-///           angles are accurate to 0.1 degrees. In mixed lubrication, the pitch angle of the ball
-///           rotation depends on the share of the load that asperities carry.
+///           the forces. The function ignores `options.race_control` and `options.rotations`,
+///           because it computes the ball rotations itself.
+/// Accuracy: the forces on each ball are accurate to 1e-8 of its load. The physical accuracy
+///           depends on the traction law at small slip. In a full film, where traction is small,
+///           contact angles are accurate to 0.1 degrees. In mixed lubrication, the pitch angle of
+///           the ball rotation depends on the share of the load that asperities carry.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
     const bearing::Bearing& bearing, const bearing::OperatingPoint& point, const OilState& oil,
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},

@@ -41,25 +41,28 @@ class TurningBall;
 ///   T_i + T_o = (2/D) J ω_m ω_R sin β   (component of M along the orbit)
 ///
 /// Σ τ_x is the traction force of one contact along the rolling direction. T_i and T_o are the
-/// transverse friction forces. M is the moment of traction about the centre of the ball, J the
-/// moment of inertia of the ball, x̂ the direction of the bearing axis, and w the rotation of the
-/// ball relative to the cage.
+/// transverse friction forces at the inner and outer contact. M is the moment of traction about the
+/// centre of the ball, J the moment of inertia and D the diameter of the ball, x̂ the direction of
+/// the bearing axis, and w the rotation of the ball relative to the cage. ω_R sin β is the radial
+/// component of w.
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β. Traction is the
-/// gradient of a potential that is convex in these speeds. The gyroscopic moment adds an
-/// antisymmetric term to the derivatives. Therefore exactly one solution exists for a given cage
-/// speed, and every Newton step leads towards this solution. If dry friction changes direction too
-/// sharply for Newton's method, the solver first smooths this change and then removes the
-/// smoothing.
+/// gradient of a potential that is convex in these unknowns. The gyroscopic moment adds an
+/// antisymmetric term to the matrix of derivatives. Because the potential is convex, exactly one
+/// ball rotation exists for a given cage speed, and every Newton step leads towards this rotation.
+/// If dry friction changes direction too sharply for Newton's method, the solver first smooths this
+/// change and then removes the smoothing.
 ///
 /// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
 ///           the rotation axis tilts until the gyroscopic moment vanishes (β near 0); under
 ///           boundary friction the rotation approaches race control.
-/// Domain:   speed >= 0; at standstill, the result is the limit for slow rotation. The balls are
-///           loaded. A ball without contact at the inner race rotates as under outer control.
-/// Accuracy: forces balance to 1e-9 of the sum of |τ|; the power input equals the power loss to
-///           1e-8. Film and rolling resistance are computed at the resulting cage speed. The effect
-///           of rolling resistance on the rotation of a ball is neglected.
+/// Domain:   speed >= 0; at standstill, the result is the limit as the speed approaches zero. The
+///           balls are loaded at least by the outer race. A ball without contact at the inner race
+///           rotates as under outer control.
+/// Accuracy: the forces on a ball balance to 1e-9 of the sum of |τ|; the power input equals the
+///           power loss to a relative 1e-8. Film and rolling resistance are computed at the
+///           resulting cage speed. The effect of rolling resistance on the rotation of a ball is
+///           neglected.
 class BallAttitudes {
  public:
   BallAttitudes(const bearing::Bearing& bearing, double speed, const OilState& oil,

@@ -37,7 +37,7 @@ struct ContactFriction {
   double peak_pressure = 0.0;                           ///< [Pa]
   double semi_major_axis = 0.0, semi_minor_axis = 0.0;  ///< half axes a, b [m]
   double spin = 0.0;                                    ///< spin ω_s [rad/s]
-  double rolling_speed = 0.0;                           ///< ω_roll, ball against race [rad/s]
+  double rolling_speed = 0.0;                           ///< ω_roll, ball relative to race [rad/s]
   double mean_slip = 0.0;                               ///< mean sliding speed Σ p |v|/Q [m/s]
   double mean_friction = 0.0;                           ///< mean friction coefficient Σ |τ|/Q [1]
   double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< power losses [W]
@@ -255,14 +255,14 @@ template <typename Contacts, typename Look>
 /// heat of its ring. The function assumes race control without gyroscopic creep; use
 /// balanced_friction() for balls without race control.
 /// Source:   the laws in friction/contact; the sum of powers is derived.
-/// Domain:   speed >= 0; at standstill, the result is the limit for slow rotation. The moments are
-///           NaN without a converged equilibrium.
+/// Domain:   speed >= 0; at standstill, the result is the limit as the speed approaches zero. The
+///           moments are NaN without a converged equilibrium.
 /// Accuracy: the code agrees with the laws to rounding error, except for the sliding loss, whose
 ///           accuracy is given at film_traction(). The friction of a bearing at speed is uncertain
 ///           by +-40 %, because oil supply and heating of the inlets are not known well. Flooded
-///           inlets give 32 to 55 % more friction than limited inlets. The friction ratio of two
-///           bearings is much more accurate.
-/// `look` is described at sum_over_contacts().
+///           inlets give 32 to 55 % more friction than inlets with limited oil supply. The computed
+///           ratio of the friction of two bearings is much more accurate.
+/// The argument `look` is described at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
                                                const bearing::BearingEquilibrium& equilibrium,

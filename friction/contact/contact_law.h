@@ -13,7 +13,7 @@
 
 namespace raceway::friction::contact {
 
-/// Parameters of the contact law. Arguments named `values` have this order.
+/// Parameters of the contact law. Arguments named `values` contain the parameters in this order.
 inline constexpr std::array contact_parameters{
     Parameter{.name = "rolling_factor",
               .unit = "1",
@@ -63,8 +63,9 @@ struct BallFriction {
 /// Friction of a bearing by the contact law, with further results.
 struct ContactResult {
   BearingFriction friction;
-  double drag = 0.0;         ///< drag of the balls in the lubricant [N m]
-  double mean_slip = unset;  ///< mean sliding speed of all contacts, Σ p |v|/Σ Q [m/s]
+  double drag = 0.0;  ///< drag of the balls in the lubricant [N m]
+  /// Mean sliding speed of all contacts, weighted with the pressure p: Σ p |v|/Σ Q [m/s].
+  double mean_slip = unset;
   /// Friction force that balances the gyroscopic moment, divided by the contact load: largest value
   /// of all contacts [1].
   double holding_coefficient = unset;
@@ -113,8 +114,8 @@ struct ContactResult {
 /// of the bearing. ω is the shaft speed, ω_m the orbital speed of the Z balls.
 /// Source:   drag of a sphere at high Reynolds number, c as in commercial programs; from memory,
 ///           not checked against a print.
-/// Domain:   speed > 0; the moment is 0 at standstill. Accuracy: a factor of 3. The drag of the
-///           cage is not included.
+/// Domain:   speed > 0; the moment is 0 at standstill. Accuracy: the moment is accurate to a factor
+///           of 3. The drag of the cage is not included.
 [[nodiscard]] double ball_drag(const BearingState<double>& state, double density,
                                double oil_fraction);
 

@@ -12,6 +12,9 @@ namespace raceway::friction::contact {
 ///
 ///   R_x = D (1 ∓ γ)/2,  γ = D cos α0/d_m,  upper sign at the inner race;   R_z = f D/(2 f - 1)
 ///   R = 2 f D/(2 f + 1)
+///
+/// D is the ball diameter, d_m the pitch diameter, α0 the nominal contact angle and f the
+/// conformity.
 struct ContactShape {
   double radius_along = unset;     ///< R_x, equivalent radius along rolling [m]
   double radius_across = unset;    ///< R_z, equivalent radius across rolling [m]
@@ -51,8 +54,8 @@ struct ContactMotion {
 ///   u_i = (ω - ω_m)(d_m - D cos αi)/2,   u_o = ω_m (d_m + D cos αo)/2
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
-/// Source: derived. bearing/kinematics.h defines ω_R, ω_m, β and the spin speeds. The formulas are
-///         valid for inner and outer race control.
+/// Source: derived. ω is the shaft speed; bearing/kinematics.h defines ω_R, ω_m, β and the spin
+///         speeds. The formulas are valid for inner and outer race control.
 struct BallMotion {
   ContactMotion inner, outer;
 };

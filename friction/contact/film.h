@@ -32,7 +32,7 @@ struct Film {
 /// Source:   [HamrockDowson1977], as in several public programs that agree.
 /// Domain:   Q > 0, rolling along the short axis of the ellipse; the film is zero at standstill.
 ///           The formula was fitted for U from about 1e-12 to 1e-11, W from 1e-7 to 1e-6, k from 1
-///           to 8. In spindle bearings U is up to ten times larger.
+///           to 8. In spindle bearings, U is up to ten times the largest fitted value.
 /// Accuracy: the code agrees with the formula to rounding error; measured films differ from the
 ///           formula by 10 to 20 %.
 /// Trap:     U here is half the U of rolling_force().
@@ -76,8 +76,8 @@ struct Film {
 ///   central  ((m - 1)/(m* - 1))^0.29,   m* = 1 + 3.06 ((R_x/b)² H_c)^0.58
 ///   minimum  ((m - 1)/(m* - 1))^0.25,   m* = 1 + 3.34 ((R_x/b)² H_min)^0.56,   H = h/R_x
 ///
-/// m is the distance from the contact centre to the edge of the oil, divided by b. h is the result
-/// of isothermal_film().
+/// m is the distance from the contact centre to the edge of the oil, divided by b, the semi-minor
+/// axis of the ellipse. The film thickness h is the result of isothermal_film().
 /// Source:   [HamrockDowson1977, part 4], from memory; no print or program was found for a check.
 /// Domain:   m > 1. A share is 1 for m >= m*, so a film is never thicker than the flooded film.
 struct StarvationFactors {

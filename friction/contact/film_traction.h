@@ -17,9 +17,9 @@ namespace raceway::friction::contact {
 ///
 /// With spin, the function uses 12 x 16 points of half the ellipse. Without spin, it uses 16 x 12
 /// points of a quarter. v_x0 is accurate to 1e-6 of its range, given at find_free_rolling(). This
-/// is enough, because the power hardly depends on v_x0.
-/// Accuracy: the power is accurate to 0.2 % with dry friction only and to 0.05 % with a film. It
-///           agrees with rolling_traction() at the same points to 1e-6 (tested).
+/// accuracy is enough, because the power hardly depends on v_x0.
+/// Accuracy: the power is accurate to 0.2 % with dry friction only and to 0.05 % with a film. The
+///           power agrees with rolling_traction() at the same points to 1e-6 (tested).
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear);
 
 /// Overload that starts the search with -v_x0 = `centre` times the range of v_x0 [1]. On return,

@@ -12,15 +12,17 @@ namespace raceway::friction::contact {
 ///
 /// All states should refer to the same bearing and the same ContactData. Each result then depends
 /// only on its state and the instruction set, to the last bit. States at standstill, without
-/// equilibrium or without race control are computed singly, and so are states with another bearing
-/// or ContactData than the first state of their block of 256.
-/// Memory: each thread keeps a fixed amount between calls, whatever the number of states.
-/// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. Sliding
-///           is computed in single precision. It agrees to 2e-4 in the worst of 4000 random states,
-///           and to 1e-6 in most of these states. The torque of a bearing 7014 at speed agrees to
-///           5e-7. `mean_slip` agrees to 5e-4, and `holding_over_traction` agrees to 2 %.
-/// Throws std::invalid_argument if the numbers of states and results differ, or if the machine
-/// lacks the instructions of `set`.
+/// equilibrium or without race control are computed singly. The states are processed in blocks of
+/// 256; a state is also computed singly if its bearing or ContactData differs from the first state
+/// of its block.
+/// Memory:   each thread keeps a fixed amount between calls, whatever the number of states.
+/// Accuracy: compared with contact_result(), film, rolling and hysteresis agree to 1e-11. The
+///           sliding loss is computed in single precision. The sliding loss agrees to 2e-4 in the
+///           worst of 4000 random states, and to 1e-6 in most of these states. The friction torque
+///           of a bearing 7014 at speed agrees to 5e-7. `mean_slip` agrees to 5e-4, and
+///           `holding_over_traction` agrees to 2 %.
+/// Throws std::invalid_argument if the numbers of states and results differ, or if the machine does
+/// not support the instruction set `set`.
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
                      std::span<ContactResult> results,
                      bearing::InstructionSet set = bearing::best_instruction_set());

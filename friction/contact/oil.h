@@ -61,7 +61,8 @@ inline constexpr double default_eyring_stress = 5.0 * MPa;
 /// tables give 6.4e-4 to 7e-4.
 inline constexpr double density_slope = 6.5e-4;
 
-/// Density of an oil, ρ = ρ15 (1 - 6.5e-4 (T - 15 °C)) [kg/m³]. Domain: T below 1500 °C.
+/// Density of an oil, ρ = ρ15 (1 - 6.5e-4 (T - 15 °C)) [kg/m³]. Domain: T below 1500 °C, so that ρ
+/// is positive.
 [[nodiscard]] inline double oil_density(double density_15C, double temperature) {
   return density_15C * (1.0 - density_slope * (temperature - kelvin(15.0)));
 }
@@ -71,7 +72,8 @@ inline constexpr double density_slope = 6.5e-4;
 ///   α = s ν^t,   α [1/GPa], ν [mm²/s]; the code converts these units
 ///
 /// Source:   [Gold2001], from memory, not checked against the print. Domain: ν > 0.
-/// Accuracy: 15 % for oils of one type, which changes the friction by at most 4 %.
+/// Accuracy: α is accurate to 15 % for oils of one type. This error changes the friction by at most
+///           4 %.
 [[nodiscard]] inline double pressure_viscosity(OilType type, double kinematic_viscosity) {
   const OilDefaults oil = oil_defaults(type);
   return oil.pressure_viscosity_s *

@@ -14,9 +14,10 @@ namespace raceway::friction::contact {
 /// rises more slowly than in Barus' law.
 /// Source:   Roelands 1966, in the form that textbooks give [Hamrock1994]. Neither print was
 ///           checked; the form comes from a published report on roller bearings.
-/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has a pole. At or below
-///           this viscosity the result is NaN (see roelands_holds()).
-/// Accuracy: 10 % up to 0.5 GPa. Above 1 GPa the oil behaves like a glass, see shear.h.
+/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has a pole. If η0 is
+///           not above this pole, the result is NaN (see roelands_holds()).
+/// Accuracy: the viscosity is accurate to 10 % up to 0.5 GPa. Above 1 GPa the oil behaves like a
+///           glass, see shear.h.
 class Roelands {
  public:
   Roelands(double viscosity, double pressure_viscosity)

@@ -44,7 +44,7 @@ struct RollingEllipse {
 /// moes_load(), and G = α E'. rolling_power() computes the power.
 /// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The formula for limited inlets is
 ///           Houpert's of 1987. [Balan2015, eqs. 1 to 5] gives the same formulas. The equations
-///           were read as plain text, not in the print layout.
+///           were read from a plain-text copy, not from the printed pages.
 /// Domain:   Q > 0. The force is zero at standstill, where its derivative with respect to speed is
 ///           infinite.
 /// Accuracy: the code agrees with the formula to rounding error. At spindle speeds, the forces for
@@ -89,11 +89,11 @@ struct RollingEllipse {
 ///
 /// Source:   [Aihara1987], on tapered rollers, as quoted in a published report; not checked against
 ///           the print.
-/// Domain:   L >= 0; φ = 1 at L = 0. The measurements reach about L = 5. Spindle bearings reach L =
-///           10, where the formula is extrapolated and reduces the rolling force by nearly two
-///           thirds.
+/// Domain:   L >= 0; φ = 1 at L = 0. The measurements of the source reach about L = 5. Spindle
+///           bearings reach L = 10, where the formula is extrapolated and reduces the rolling force
+///           by nearly two thirds.
 /// Trap:     above about L = 40 for limited inlets and L = 300 for flooded inlets, the product of φ
-///           and the rolling force decreases when the viscosity increases. This decrease occurs
+///           and the rolling force decreases when the viscosity increases. Such values of L occur
 ///           with thick oil at the highest speeds, where there are no measurements.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {
   if (!(loading > 0.0)) return 1.0;

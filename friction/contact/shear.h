@@ -20,15 +20,16 @@ struct ShearResponse {
 ///
 ///   τ = (1 - φ) min(τ0 asinh(η(p) v/(h_c τ0)), Γ p) + φ μ p v/sqrt(v² + ε²)
 ///
-/// τ0 is Eyring's stress, Γ the limiting traction, φ the result of asperity_share(), and μ the
-/// boundary friction coefficient. ε is 1e-6 of the rolling speed, far below any relevant slip. ε
+/// p is the pressure, v the sliding speed and h_c the central film thickness. τ0 is Eyring's
+/// stress, Γ the limiting traction, φ the result of asperity_share(), and μ the boundary friction
+/// coefficient. The small speed ε is 1e-6 of the rolling speed, far below any relevant slip. It
 /// makes the direction of τ smooth where v changes sign.
 /// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], not checked
 ///           against the print. η(p) is Roelands' law.
 /// Domain:   v >= 0, p >= 0, h_c > 0; at φ = 1 (standstill), the film has no effect.
 /// Accuracy: the stress of a film is accurate to 30 % at pressures below 1 GPa. In bearings with a
 ///           full film, the rolling resistance of the oil is about 98 % of the friction, and the
-///           stress of the film causes the rest.
+///           shear stress of the film causes the rest.
 struct FilmShear {
   Roelands viscosity;
   double film;               ///< h_c [m]

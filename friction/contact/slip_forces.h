@@ -23,9 +23,10 @@ struct SlipMotion {
 ///
 ///   force_k = Σ τ·∂v/∂k,   slope_kl = ∂force_k/∂l = Σ ∂v/∂k·(dτ/dv)·∂v/∂l
 ///
-/// τ is the gradient of a potential that is convex in v. So the matrix of slopes is symmetric and
-/// has no negative eigenvalue. The friction power is the sum of the four products of force_k and
-/// slip component k. These statements are valid for any set of integration points.
+/// The indices k and l denote slip components. The shear stress τ is the gradient of a potential
+/// that is convex in the slip v. So the matrix of slopes is symmetric and has no negative
+/// eigenvalue. The friction power is the sum of the four products of force_k and slip component k.
+/// These statements are valid for any set of integration points.
 struct SlipForces {
   std::array<double, 4> force{};  ///< forces along, across [N], moments of rolling, spin [N m]
   double slope[4][4] = {};        ///< slope_kl [N s/m], [N s] or [N m s]

@@ -49,8 +49,9 @@ struct TractionSums {
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x,   τ = τ(p, |v|) v/|v|
 ///
-/// One integral includes spin, differential and gyroscopic sliding, because their friction forces
-/// cannot be computed separately and added.
+/// v is the sliding velocity and τ the shear stress at a point. One integral includes spin,
+/// differential and gyroscopic sliding, because their friction forces cannot be computed separately
+/// and added.
 /// Source:   derived. With dry friction, pure spin gives the moment (3/8) μ Q a E(k) of
 ///           [Harris2006, vol. 2, ch. 5], and pure differential sliding gives the power 0.1611 μ Q
 ///           ω_roll a²/(2 R).
@@ -170,9 +171,9 @@ template <class Value>
   return false;
 }
 
-/// Finds the slip v_x0 at which the contact rolls freely, Σ τ_x = 0, for a given v_y0. v_x0 lies
-/// between -ω_roll a²/(2 R) and 0, because rolling drags the edges of the ellipse forward. Returns
-/// false if the search fails.
+/// Finds the slip v_x0 along rolling at the contact centre for which the contact rolls freely, Σ
+/// τ_x = 0. The slip v_y0 across rolling is given. v_x0 lies between -ω_roll a²/(2 R) and 0,
+/// because rolling drags the edges of the ellipse forward. Returns false if the search fails.
 template <class Field>
 [[nodiscard]] bool find_free_rolling(const Field& field, bool whole, CentreSlip& slip) {
   const SlidingEllipse& e = field.ellipse();

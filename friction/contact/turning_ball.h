@@ -12,7 +12,7 @@
 namespace raceway::friction::contact {
 
 /// Unknowns of the solver [m/s]: slips v_i and v_o along rolling at the inner and outer contact
-/// centre, slip across rolling (equal at both contacts), and ω_R sin β times a length.
+/// centre, slip across rolling (equal at both contacts), and ω_R sin β times TurningBall::length().
 using Slips = std::array<double, 4>;
 
 /// One ball between its races: computes the speeds of the ball from four given slips, and the
@@ -49,8 +49,8 @@ class TurningBall {
   ///   v_i = (ω - ω_m) ρ_i - (D/2)(A cos αi + B sin αi),   ρ_i = (d_m - D cos αi)/2
   ///   v_o = ω_m ρ_o - (D/2)(A cos αo + B sin αo),         ρ_o = (d_m + D cos αo)/2
   ///
-  /// A, B and w_T are the components `along`, `across` and `orbital` of the ball rotation, as in
-  /// BallAttitude.
+  /// ω is the shaft speed, ω_m the orbital speed. A, B and w_T are the components `along`, `across`
+  /// and `orbital` of the ball rotation, as in BallAttitude.
   struct Speeds {
     double along, across, orbital, cage;  // A, B, w_T, ω_m
   };

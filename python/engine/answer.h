@@ -44,17 +44,17 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 
 /// Returns the columns of a record as the program has read them.
 [[nodiscard]] NamedColumns columns_of(const record::Record& record);
-/// Converts values of a channel [SI] to the unit of files.
+/// Converts values of a channel [SI] to the unit of this channel in files.
 [[nodiscard]] std::vector<double> in_unit(const record::Channel& channel,
                                           std::span<const double> si);
-/// Returns the columns as arrays of numpy.
+/// Returns the columns as NumPy arrays, by name.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
 /// Returns the options of calibrate, diagnose and similar functions from keyword arguments of
-/// Python, except options that belong to models.
+/// Python: reading of the records, rows, channel and tolerance. Throws TypeError for other options.
 [[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
 
-/// Runs `work` as a long call of Python and adds the messages of `work` to the answer.
+/// Runs `work` as an interruptible call from Python and adds the messages of `work` to the answer.
 template <typename Work>
 EngineAnswer answered(const Waiting& waiting, std::atomic<bool>& cancelled,
                       const Progress& progress, const Work& work) {

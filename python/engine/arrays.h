@@ -51,7 +51,8 @@ inline std::vector<std::size_t> broadcast_shape(
   return shape;
 }
 
-/// Returns the numbers of an array without a copy, repeated along missing dimensions.
+/// Returns the numbers of an array without a copy. They are repeated along each dimension of
+/// `shape` that the array lacks or in which it has length 1.
 inline session::NumberArray number_array(const Doubles& array,
                                          const std::vector<std::size_t>& shape) {
   session::NumberArray numbers;

@@ -11,7 +11,7 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Corrections of one file.
+/// Displacement corrections that one file contains.
 class EngineCorrection final : public EngineFile {
  public:
   EngineCorrection(const std::string& source, const std::string& text, const HeldFiles& held);

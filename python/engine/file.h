@@ -27,7 +27,7 @@ class EngineFile {
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
   /// Returns the parameters, which a fit may change.
   [[nodiscard]] virtual std::vector<record::Parameter> parameters() const = 0;
-  /// Adds to a model what a file cannot contain, such as effects with Python functions.
+  /// Adds the parts that a file cannot contain to a model, such as effects with Python functions.
   virtual void amend(files::ModelFile&) const {}
 
  protected:

@@ -19,7 +19,7 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Progress of long work. The worker sets it, and the waiting thread reads it.
+/// Progress of a long calculation. The worker thread sets it, and the waiting thread reads it.
 class Progress {
  public:
   void set(double share, std::string_view step) {

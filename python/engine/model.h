@@ -39,7 +39,7 @@ class EngineModel final : public EngineFile {
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// Returns "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;
-  /// Returns the text of the model with these values of parameters, given by name.
+  /// Returns the text of the model file with the given parameter values, by name.
   [[nodiscard]] std::string with_values(const py::dict& values) const;
 
  private:

@@ -11,13 +11,13 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// An effect whose torque is a Python function: id, title, numbers and function. `function(columns,
-/// values)` returns the torque of each row [N mm].
+/// An effect whose torque a Python function computes: id, title, parameters and function.
+/// `function(columns, values)` returns the torque of each row [N mm].
 struct OwnEffect {
   effects::UserMadeEffect described;
   py::object function;
 
-  /// Returns the effect for a model, with these numbers as parameters.
+  /// Returns the effect for a model, with its parameters.
   [[nodiscard]] effects::Effect effect() const;
 };
 

@@ -5,7 +5,7 @@
 // source of the project (packages.cmake). Numbers are read and written with the same digits as with
 // libstdc++, because strtod and printf of musl round exactly.
 
-/// WebAssembly has none of the instruction sets that the kernels test for.
+/// WebAssembly has none of the instruction sets that the numerical kernels test for.
 #define __builtin_cpu_supports(set) false
 
 #include <unistd.h>

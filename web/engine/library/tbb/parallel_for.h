@@ -6,7 +6,7 @@
 // limits come from tests/threads/tbb.
 namespace tbb {
 
-/// Group of loops that can be cancelled together. Here each loop is its own group.
+/// Group of loops that TBB can cancel together. This replacement does not cancel loops.
 struct task_group_context {
   enum kind { isolated };
   explicit task_group_context(kind) {}
