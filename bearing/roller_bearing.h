@@ -76,9 +76,9 @@ inline constexpr std::size_t lamina_count = 41;
 /// contact. For materials other than steel, cs and c1 are multiplied by 2 k(steel)/(k(roller) +
 /// k(ring)), k = (1 - ν²)/E.
 ///
-/// Source:   [ISO16281], as two other programs implement it. The split into two equal contacts in
-///           series and the factor of the materials are derived (in Lundberg's form, the load
-///           occurs only as a product with k).
+/// Source:   [ISO16281], as two other programs implement it. Derived: the split into two equal
+///           contacts in series, and the factor of the materials (in Lundberg's formula, the load
+///           occurs only multiplied by k).
 /// Accuracy: the approach is within 2.5 % of a boundary element solution for the contact of a strip
 ///           and a cylinder. Palmgren's formula 3.84e-5 Q^0.9/L^0.8 gives an approach that is 3.4 %
 ///           smaller.

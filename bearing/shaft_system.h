@@ -29,7 +29,7 @@ struct BearingShare {
 struct ShaftAssembly {
   std::vector<BearingShare> bearings;
   BearingShare front, rear;  ///< sums over each side
-  double shaft_imbalance;    ///< F_f - F_r + d P: front force, rear force, external load P [N]
+  double shaft_imbalance;    ///< F_f - F_r + d P: forces of front and rear set, external load [N]
   /// Imbalance in the support of the rear set (Arrangement::Seat):
   ///   softness (F_r - F_0) - hardness (d (x - e) - (δ_r - δ_r0))
   double seat_imbalance;
@@ -61,7 +61,8 @@ class ShaftSystem {
   [[nodiscard]] const GivenRotation* rotation(std::size_t i) const {
     return at_rest_ || options_.rotations.empty() ? nullptr : &options_.rotations[i];
   }
-  /// External load in the direction of the front set's push, d P [N].
+  /// External axial load d P, positive in the direction in which the front set pushes the shaft
+  /// [N].
   [[nodiscard]] double load() const { return load_; }
   [[nodiscard]] double displacement(const ShaftState& state, std::size_t i) const;
   [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;

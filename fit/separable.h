@@ -118,7 +118,7 @@ class Separable {
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
   void read_priors(const Eigen::VectorXd& values, Eigen::VectorXd& readings) const;
   [[nodiscard]] SeparableFit without_priors(SeparableFit fit) const;
-  /// Returns the result of at(), in which the residuals of the priors follow the residuals of the
+  /// Returns the result of at(), with the residuals of the priors added after the residuals of the
   /// means.
   [[nodiscard]] SeparableFit with_priors(const Eigen::VectorXd& values, int left_out,
                                          double ridge) const;

@@ -82,10 +82,10 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::vector<const Channel*> scattering(const Record& record) const override;
   [[nodiscard]] std::vector<Factor> factors(const Record& record) const override;
   [[nodiscard]] std::optional<Formula> formula(const Record& record) const override;
-  /// Returns the blockings of the model. If there are no own parameters and at least three records,
-  /// another blocking holds out whole records. With own parameters, a blocking is left out if one
-  /// of its blocks contains a whole record, because the other records do not determine the own
-  /// parameters of that record.
+  /// Returns the blockings of the model: divisions of the rows into blocks that are held out. If
+  /// there are no own parameters and at least three records, another blocking holds out whole
+  /// records. With own parameters, a blocking is left out if one of its blocks contains a whole
+  /// record, because the other records do not determine the own parameters of that record.
   [[nodiscard]] std::vector<Blocking> blockings(const Record& record) const override;
   [[nodiscard]] std::string doubt(const Record& record,
                                   std::span<const double> predicted) const override;

@@ -55,7 +55,7 @@ struct CoastDownTorque {
 /// power of the window length. A window is shorter if the speed would fall by more than
 /// `largest_fall`. The remaining error comes from the third time derivative of the speed. For M ~
 /// ω^p and a relative fall s of the speed, this error is the share p (2p - 1) s²/40 of the torque.
-/// At s = 0.25, the share is 0.04 % for p = 2/3 and 1 % for p = 2.
+/// At s = 0.25, the share is 0.035 % for p = 2/3 and 0.94 % for p = 2.
 ///
 /// The standard deviation of a row follows from the scatter of the residuals of the whole run
 /// (robust estimate, Huber's proposal 2), propagated to the slope. If neighbouring residuals are

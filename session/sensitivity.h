@@ -41,8 +41,8 @@ struct SensitivityQuestion {
   std::function<void(double)> progress{};  ///< receives the finished share of the work, 0 to 1
 };
 
-/// Returns the predictions that can be requested from a model, as pairs of a word and its column
-/// name.
+/// Returns the predictions that a user can request from a model: pairs of the word for the request
+/// and the name of the result column.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> sensitivity_words(
     const model::Model& model, bool steady);
 

@@ -66,10 +66,10 @@ struct ApproximationOptions {
 /// Fits the named parameters from several starts.
 ///
 /// The function first fits the parameters without a prior, with all others at their priors. Then it
-/// fits all parameters from this result. The variance of the means includes the autocorrelation of
-/// the residual. This variance is estimated again after each fit until it changes by at most 5 %,
-/// up to eight times. If the record reduces the variance of a prior by less than a tenth, the
-/// parameter stays at the prior.
+/// fits all parameters from this result. The variance of the fitted means takes the autocorrelation
+/// of the residual into account. This variance is estimated again after each fit until it changes
+/// by at most 5 %, up to eight times. If the record reduces the variance of a prior by less than a
+/// tenth, the parameter stays at the prior.
 [[nodiscard]] Approximation approximate(std::shared_ptr<const fit::Subject> subject,
                                         const Recorded& recorded,
                                         const std::vector<std::string>& names,

@@ -27,7 +27,7 @@ namespace raceway::tolerance {
 ///      Otherwise: not-in-catalogue.
 ///
 /// The diagnosis ends at the first step that gives a verdict. Candidates driven by a column of the
-/// record (Candidate::by_column) are accepted only after step 3.
+/// record (Candidate::by_column) are accepted only in steps 4 and 5.
 ///
 /// In step 2, an error beyond the tolerance is also accepted if it is at most f times the
 /// tolerance, and if the candidate divides the error by at least f = 1 + 1.645/sqrt(2 T/30 min). T

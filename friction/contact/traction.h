@@ -33,7 +33,8 @@ struct CentreSlip {
   double along = 0.0, across = 0.0;
 };
 
-/// Integrals of the shear stress over a contact ellipse.
+/// Integrals over a contact ellipse (written Σ), and derivatives of the forces with respect to the
+/// slip velocity at the centre.
 struct TractionSums {
   double along = 0.0, across = 0.0;  ///< Σ τ_x, Σ τ_y [N]
   double along_slope = 0.0;          ///< d(Σ τ_x)/dv_x0 [N s/m]
