@@ -67,8 +67,7 @@ MatrixXd inverse(const MatrixXd& A) {
 
 MatrixXd inverse_lower_root(const MatrixXd& A) {
   if (!has_norm(A)) return no_matrix(A.rows(), A.cols());
-  const MatrixXd L = A.llt().matrixL();
-  return L.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(A.rows(), A.cols()));
+  return LowerRoot(A).inverse();
 }
 
 VectorXcd eigenvalues(const MatrixXd& A) {

@@ -106,7 +106,7 @@ LoadShares::Excess LoadShares::set_forces(double axial, double radius, Share& sh
   const double si = std::sin(share.inner_angle), ci = std::cos(share.inner_angle);
   const double so = std::sin(share.outer_angle), co = std::cos(share.outer_angle);
   const double cd = ci * co + si * so, sd = si * co - ci * so, g = c.diameter_ratio;
-  // Of m = ω_m/ω, the couple and the centrifugal force: _i and _o per radian of αi and αo.
+  // m is ω_m/ω. The suffix _i or _o marks a derivative with respect to αi or αo, _m to m.
   const double m = (cd - g * co) / (1.0 + cd);
   const double m_i = -sd * (1.0 - m) / (1.0 + cd);
   const double m_o = (sd + g * so - m * sd) / (1.0 + cd);
@@ -130,7 +130,7 @@ LoadShares::Excess LoadShares::set_forces(double axial, double radius, Share& sh
   const double inner = c.inner_radius + inner_approach;
   share.ball = {outer * so, outer * co};
   share.groove = {share.ball.axial + inner * si, share.ball.radial + inner * ci};
-  // A share of the axial load below which an approach per load is that of this share.
+  // The slope of an approach is infinite without load: below this load, its slope there is used.
   const double least = 1e-3 * axial;
   const double per_inner =
       ci * std::abs(inner_approach) / (1.5 * std::max(std::abs(share.inner_load), least));

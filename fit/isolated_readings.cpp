@@ -224,7 +224,7 @@ std::string Isolated::statement() const {
 
 PossibleRows without_impossible_rows(const record::Record& record) {
   constexpr std::size_t fewest_rows = 15;
-  const double coldest = kelvin(-60), hottest = kelvin(200);
+  constexpr double coldest = -60.0, hottest = 200.0;  // [C]
   PossibleRows result{.record = record};
   if (record.rows() < fewest_rows) return result;
   const auto take_out = [&](const std::vector<std::size_t>& rows, const std::string& what) {
@@ -246,8 +246,9 @@ PossibleRows without_impossible_rows(const record::Record& record) {
     std::vector<std::size_t> rows;
     const std::span<const double> values = result.record.values(*c.channel);
     for (std::size_t row = 0; row < values.size(); ++row)
-      if (values[row] < coldest || values[row] > hottest) rows.push_back(row);
-    take_out(rows, fmt::format("an impossible {} (outside -60 to 200 C)", c.channel->words));
+      if (values[row] < kelvin(coldest) || values[row] > kelvin(hottest)) rows.push_back(row);
+    take_out(rows, fmt::format("an impossible {} (outside {:g} to {:g} C)", c.channel->words,
+                               coldest, hottest));
   }
   const auto read = std::find_if(record.columns.begin(), record.columns.end(), [](const auto& c) {
     return c.channel->role == record::Role::measured;

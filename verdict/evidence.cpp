@@ -72,11 +72,15 @@ bool deviations_declared(const fit::Problem& problem) {
   return true;
 }
 
+std::size_t rows_for_noise(const fit::Problem& problem) {
+  return std::max(fewest_rows, problem.base.size() + 12);
+}
+
 /// True where rows are too few to tell their noise, which their declared deviations then are.
 /// Throws where these are missing, or rows are too few even so.
 bool require_rows(const fit::Problem& problem) {
   const std::size_t rows = problem.observed.row.size();
-  const std::size_t needed = std::max(fewest_rows, problem.base.size() + 12);
+  const std::size_t needed = rows_for_noise(problem);
   if (rows >= needed) return false;
   const std::size_t declared = std::max(fewest_declared_rows, problem.base.size() + 4);
   if (rows >= declared && deviations_declared(problem)) return true;
@@ -306,7 +310,7 @@ void leave_out_shapes(Evidence& evidence) {
       s.not_testable = fmt::format(
           "the data have too few rows to fit the {} parameters of this effect; at least {} rows "
           "are needed",
-          s.candidate.parameters.size(), std::max(fewest_rows, evidence.problem.base.size() + 12));
+          s.candidate.parameters.size(), rows_for_noise(evidence.problem));
   evidence.notes.push_back(record::note::noise(
       fmt::format("{} rows are too few to estimate the noise: diagnose uses the declared standard "
                   "deviations, and tests only single effects with one parameter",
