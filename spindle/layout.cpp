@@ -447,8 +447,6 @@ Layout make_layout(const model::Model& model, model::Cells cells) {
   const CellSize size = size_of(cells, length_of(s.shaft.segments));
   const std::vector<Region> regions = regions_of(model);
   layout.mesh = make_mesh(regions, size.axial, size.radial, lines);
-  for (const model::Coolant& c : s.channels())
-    layout.helix_length.push_back(pi * c.diameter * (c.end - c.start) / c.pitch);
   Joiner(s, layout).sort();
   find_means(layout);
   return layout;

@@ -70,8 +70,6 @@ struct Layout {
   double housing_start = unset, housing_end = unset;  ///< [m]
   /// positions of the centres of the bearing sets [m]; `rear_centre` is NaN without a rear set
   double front_centre = unset, rear_centre = unset;
-  /// Length of each coolant channel [m]: number of turns times circumference.
-  std::vector<double> helix_length;
 
   /// Returns the material of the first cell in `seat`.
   [[nodiscard]] const model::SolidMaterial& material(const Shares& seat) const {

@@ -86,10 +86,10 @@ ThermalSystem::ThermalSystem(const model::Model& model, const effects::SpindleCo
   paths_.source.setZero(paths_.size());
   for (std::size_t k = 0; k < circuits_.size(); ++k) {
     const model::Coolant& c = circuits_[k].channel;
+    const Channel channel = channel_of(c);
     const FluidProperties fluid = fluid_properties(c.fluid, inlet(circuits_[k], {}));
-    paths_.capacity[circuits_[k].node] = c.channel_width * c.channel_depth *
-                                         layout_.helix_length[k] * fluid.density *
-                                         fluid.heat_capacity;
+    paths_.capacity[circuits_[k].node] =
+        channel.section * channel.length * fluid.density * fluid.heat_capacity;
   }
   add_fixed();
   for (const BearingPlace& b : layout_.bearings) {

@@ -16,7 +16,7 @@ bool goes_on(const Inputs& a, const Inputs& b) {
   return a.speed == b.speed && a.coolant_on == b.coolant_on && a.axial_load == b.axial_load &&
          a.radial_load == b.radial_load && a.moment == b.moment &&
          same(a.belt_force, b.belt_force) && same(a.motor_heat, b.motor_heat) &&
-         near(a.ambient_temperature, b.ambient_temperature) &&
+         same(a.motor_power, b.motor_power) && near(a.ambient_temperature, b.ambient_temperature) &&
          near(a.machine_temperature, b.machine_temperature) &&
          near(a.coolant_inlet, b.coolant_inlet);
 }
