@@ -11,7 +11,8 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr double unknown_runs = 0.5;   // share of the variance where nothing tells it
+constexpr double unknown_runs =
+    0.5;  // share of what states leave of the variance, where nothing tells it
 constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr double undetermined = 0.5;   // of -2 ln L
 constexpr double worth_even_runs =
@@ -38,6 +39,7 @@ void NoiseSearch::recall(const Memory& memory) {
 
 void NoiseSearch::search_memory(bool timed, bool runs) {
   double &phi = noise_.correlation, &g = noise_.run_share;
+  const double rest = beside_states();
   phi = g = 0.0;
   double best = value();
   const auto try_out = [&](double p, double q) {
@@ -52,14 +54,14 @@ void NoiseSearch::search_memory(bool timed, bool runs) {
   };
   for (const double p : {0.0, 0.2, 0.4, 0.6, 0.75, 0.87, 0.95})
     for (const double q : {0.0, 0.1, 0.25, 0.5, 0.75, 0.9})
-      if ((p == 0.0 || timed) && (q == 0.0 || runs)) try_out(p, q);
+      if ((p == 0.0 || timed) && (q == 0.0 || runs)) try_out(p, q * rest);
   for (double step = 0.06; step > 0.005; step *= 0.5)
     for (const auto& [dp, dq] : std::array<std::pair<double, double>, 4>{
              {{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}}) {
       const double p = phi + dp, q = g + dq;
       if ((dp != 0.0 && (phi == 0.0 || p <= 0.0)) || (dq != 0.0 && (g == 0.0 || q <= 0.0)))
         continue;
-      if (p <= 0.985 && q <= 0.95) try_out(p, q);
+      if (p <= 0.985 && q <= 0.95 * rest) try_out(p, q);
     }
 }
 
@@ -78,7 +80,7 @@ void NoiseSearch::find_memory() {
     const bool free = options_.absolute && !declared_;
     if (free) {
       noise_.correlation = 0.0;
-      noise_.run_share = unknown_runs * (1.0 - noise_.state_share);
+      noise_.run_share = unknown_runs * beside_states();
       find_shares();
     }
     for (int round = 0; round < 2; ++round) {
@@ -95,8 +97,9 @@ void NoiseSearch::find_memory() {
   // Where runs and levels coincide nothing says how much the runs differ: as much as may be.
   double& g = noise_.run_share;
   const double phi = noise_.correlation;
-  if (runs && misfit(phi, unknown_runs, shares_) < misfit(phi, g, shares_) + undetermined) {
-    g = std::max(g, unknown_runs);
+  const double unknown = unknown_runs * beside_states();
+  if (runs && misfit(phi, unknown, shares_) < misfit(phi, g, shares_) + undetermined) {
+    g = std::max(g, unknown);
     noise_.unknown_runs = true;
   }
 }
@@ -142,7 +145,7 @@ void NoiseSearch::find_blocks() {
   // even where the noise has a shape in which their offsets are no multiple of a column.
   const bool cautious = order.own_levels && options_.runs;
   if (cautious && !found) {
-    noise_.run_share = std::max(noise_.run_share, unknown_runs * (1.0 - noise_.state_share));
+    noise_.run_share = std::max(noise_.run_share, unknown_runs * beside_states());
     noise_.unknown_runs = true;
   }
   if (found || cautious) {

@@ -149,6 +149,8 @@ class NoiseSearch {
   void find_memory();
   [[nodiscard]] Memory memory() const;
   void recall(const Memory& memory);
+  /// Returns the share of the noise variance that dwell offsets leave to the other parts.
+  [[nodiscard]] double beside_states() const { return 1.0 - noise_.state_share; }
   /// Finds the best correlation and run share, with the other parts fixed.
   void search_memory(bool timed, bool runs);
   /// Returns -2 ln L plus cost(), plus worth_a_parameter if the correlation is not 0, plus
