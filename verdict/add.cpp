@@ -210,18 +210,20 @@ class Addition {
     return {};
   }
 
-  /// With a tolerance: what was good enough before needs nothing.
+  /// With a tolerance: what was good enough before, beyond the noise, needs nothing.
   [[nodiscard]] static std::string immaterial(const AddResult& result) {
     bool given = false;
     for (const ChannelGain& c : result.channels) {
       if (std::isnan(c.tolerance)) continue;
       given = true;
-      if (!(c.rmse_held_out_before <= c.tolerance)) return {};
+      if (!(fit::beyond_noise(c.rmse_held_out_before, c.noise.rms) <= c.tolerance)) return {};
     }
     if (!given) return {};
-    return fmt::format("the held-out error is within the tolerance without the effect: {}",
-                       reading_text(result.channels.front().channel(),
-                                    result.channels.front().rmse_held_out_before));
+    return fmt::format(
+        "without the effect, the part of the held-out error that the noise does not explain is "
+        "within the tolerance (held-out error {})",
+        reading_text(result.channels.front().channel(),
+                     result.channels.front().rmse_held_out_before));
   }
 
   /// The single effect that leaves nothing but noise, where what was asked for leaves structure.

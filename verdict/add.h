@@ -54,10 +54,11 @@ struct AddResult {
 /// The result is rejected if the fit does not converge, and in five more cases. First: the held-out
 /// error does not fall. It must fall in two hold-out tests (Judged::blockings()), or in all if
 /// there are fewer, and must not rise significantly in any. Second: the fall of -2 ln L (L:
-/// likelihood) may be due to chance. Third: a tolerance is given, and the held-out errors without
-/// the effects are within the tolerances. Fourth: one of several added effects does not improve the
-/// fit if the others are in the model. Fifth: the residual is systematic after a single effect was
-/// added, but would be only noise if another effect were added instead.
+/// likelihood) may be due to chance. Third: a tolerance is given, and the parts of the held-out
+/// errors without the effects that the noise does not explain are within the tolerances. Fourth:
+/// one of several added effects does not improve the fit if the others are in the model. Fifth: the
+/// residual is systematic after a single effect was added, but would be only noise if another
+/// effect were added instead.
 ///
 /// Throws std::invalid_argument if no id is given, for an unknown id (the message gives the nearest
 /// ids), for an effect that the model already has, for an effect whose inputs the data lack (the

@@ -73,7 +73,10 @@ TEST(Tolerance, RefusesToAddWhatWasNotNeeded) {
   EXPECT_FALSE(add(synthetic_model(), drag_alone, data).refused);
   const verdict::AddResult result = add(content_with(20.0 * N_mm), drag_alone, data);
   EXPECT_TRUE(result.refused);
-  EXPECT_THAT(result.reason, HasSubstr("within the tolerance without the effect"));
+  EXPECT_THAT(
+      result.reason,
+      HasSubstr("without the effect, the part of the held-out error that the noise does not "
+                "explain is within the tolerance"));
 }
 
 TEST(Tolerance, IsStatedByAComparison) {
