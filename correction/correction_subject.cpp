@@ -16,7 +16,6 @@
 #include "correction/range.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
-#include "record/median.h"
 #include "record/nearest_names.h"
 #include "record/series_channel.h"
 
@@ -258,14 +257,7 @@ std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& 
   auto result = std::make_unique<CorrectionSubject>(*this);
   forget_what_was_seen(result->model_);
   const Series series(record);
-  std::vector<double> steps;
-  double longest = 0.0;
-  for (std::size_t k = 0; k < series.rows(); ++k) {
-    if (!series.clock().begins[k]) steps.push_back(series.clock().steps[k]);
-    longest = std::max(longest, series.time()[k]);
-  }
-  if (!steps.empty() && longest > 0.0)
-    result->limits_ = {2.0 * record::median(steps), 0.5 * longest, longest};
+  result->limits_ = time_constants_of(series);
   result->columns_.clear();
   result->ranges_.clear();
   for (const record::Column& c : record.columns) {

@@ -204,6 +204,12 @@ bool is_group(std::string_view name) {
   return name == "effects" || std::find(groups.begin(), groups.end(), name) != groups.end();
 }
 
+TimeConstantLimits time_constants_of(const Series& series) {
+  const double sampling = series.sampling(), duration = series.duration();
+  if (!(sampling > 0.0)) return {};
+  return {.shortest = 2.0 * sampling, .longest = 0.5 * duration, .record = duration};
+}
+
 const DrivenChannel* find_channel(const Model& model, std::string_view name) {
   for (const DrivenChannel& c : model.channels)
     if (name.empty() || c.name == name) return &c;

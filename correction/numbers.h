@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "correction/model.h"
+#include "correction/series.h"
 #include "record/parameter.h"
 
 namespace raceway::correction {
@@ -15,6 +16,10 @@ struct TimeConstantLimits {
   double shortest = 1.0, longest = 1e7;
   double record = unset;  ///< length of the record; NaN without a record
 };
+
+/// Returns the limits for a record: twice the sampling interval, and half the duration of the
+/// longest run. If each run has one row, the result has the default limits.
+[[nodiscard]] TimeConstantLimits time_constants_of(const Series& series);
 
 /// A parameter of a model that may be fitted.
 struct Number {

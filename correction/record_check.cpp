@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "correction/numbers.h"
 #include "correction/quantum.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
@@ -14,7 +15,6 @@
 namespace raceway::correction {
 namespace {
 
-constexpr double samplings = 3.0;     // that the fastest lag must last
 constexpr double stuck_for = 1800.0;  // [s]
 constexpr double a_jump = 20.0;       // times the usual step, and
 constexpr double a_leap = 0.25;       // of the range, in one row
@@ -54,16 +54,11 @@ class Checking {
   }
 
   void look_at_time() {
-    std::vector<double> steps;
-    double longest = 0.0;
-    for (std::size_t k = 0; k < series_.rows(); ++k) {
-      if (!series_.clock().begins[k]) steps.push_back(series_.clock().steps[k]);
-      longest = std::max(longest, series_.time()[k]);
-    }
-    result_.sampling = record::median(steps);
-    result_.duration = longest;
-    result_.shortest = samplings * result_.sampling;
-    result_.longest = 0.5 * longest;
+    result_.sampling = series_.sampling();
+    result_.duration = series_.duration();
+    const TimeConstantLimits shown = time_constants_of(series_);
+    result_.shortest = shown.shortest;
+    result_.longest = shown.longest;
   }
 
   void look_at(const record::Column& c) {

@@ -33,8 +33,7 @@ struct RecordCheck {
   /// `reading_interval` is at most 120 s.
   double noise_at_most = unset;
   double reading_interval = unset;  ///< median time between two readings [s]
-  /// Limits of time constants that the record can determine [s]: 3 times `sampling` and half of
-  /// `duration`.
+  /// Limits of time constants that the record can determine [s]; see time_constants_of().
   double shortest = unset, longest = unset;
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};  ///< checks of the published transfer functions of the model

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "correction/own_effect.h"
+#include "record/median.h"
 #include "record/series_channel.h"
 #include "shaft/kinematic_law.h"
 
@@ -184,6 +185,15 @@ Series::Values Series::shown_share(const Input& input) const {
     for (std::size_t k = 0; k < rows(); ++k) out[k] = share[clock_.seen_at(k)];
   });
 }
+
+double Series::sampling() const {
+  std::vector<double> steps;
+  for (std::size_t k = 0; k < rows(); ++k)
+    if (!clock_.begins[k]) steps.push_back(clock_.steps[k]);
+  return record::median(steps);
+}
+
+double Series::duration() const { return *std::max_element(time_.begin(), time_.end()); }
 
 Series::Values Series::input(const Input& of) const {
   return kept(key_of(of), [&](std::vector<double>& all) {

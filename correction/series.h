@@ -46,6 +46,10 @@ class Series {
   [[nodiscard]] const Clock& clock() const { return clock_; }
   /// Time since the first row of the run [s].
   [[nodiscard]] std::span<const double> time() const { return time_; }
+  /// Returns the median time step between two rows of a run [s]; NaN if each run has one row.
+  [[nodiscard]] double sampling() const;
+  /// Returns the duration of the longest run [s].
+  [[nodiscard]] double duration() const;
   /// Index of the reference (zero) of the displacement at each row. Each run has one reference for
   /// each value of setup_id.
   [[nodiscard]] std::span<const int> zero() const { return zero_; }

@@ -40,14 +40,6 @@ StepResponse response_to(std::string name, const Input& input) {
   return r;
 }
 
-/// The step response of a delay element to this power or load.
-StepResponse of_element(const DrivenChannel& c, double step) {
-  StepResponse r = response_to(c.name, c.input);
-  r.step = step;
-  r.parts = {{"delay element", c.scale * c.element->target(step), c.element->time_constant(step)}};
-  return r;
-}
-
 /// The median above zero, and the largest that it can take; below zero the largest by its amount.
 std::vector<double> steps_shown(const DrivenChannel& c, const Series& series) {
   const Interval takes = c.element->domain();
@@ -78,15 +70,8 @@ void sample(const DrivenChannel& c, const Series& series, StepResponse& r) {
   r.sampling = static_cast<double>(stride) * c.printed->sampling;
 }
 
-StepResponse of_channel(const Model& model, const DrivenChannel& c, const Series& series) {
-  StepResponse r = response_to(c.name, c.input);
-  const double per_step = c.scale * c.input.factor() * r.step;
-  for (std::size_t s = 0; s < c.sections.size(); ++s)
-    r.parts.push_back({fmt::format("section {}", s + 1), per_step * c.sections[s].gain,
-                       c.sections[s].time_constant});
-  r.at_once = per_step * c.feedthrough;
-  r.sensor_time_constant = answer_of(model, c).sensor_time_constant;
-  if (c.printed) sample(c, series, r);
+/// Adds what the effects at a channel add to its response or change in it.
+void add_effects(const Model& model, const DrivenChannel& c, StepResponse& r) {
   for (const Effect& e : model.effects) {
     const EffectKind& kind = kind_of(e);
     if (!kind.card().at_channel || find_channel(model, e.where) != &c) continue;
@@ -98,6 +83,27 @@ StepResponse of_channel(const Model& model, const DrivenChannel& c, const Series
     changed.sensor_time_constant = 0.0;  // is drawn
     if (!changed.is_plain()) r.changed_by.push_back(full_id(e));
   }
+}
+
+/// The step response of a delay element to this power or load.
+StepResponse of_element(const Model& model, const DrivenChannel& c, double step) {
+  StepResponse r = response_to(c.name, c.input);
+  r.step = step;
+  r.parts = {{"delay element", c.scale * c.element->target(step), c.element->time_constant(step)}};
+  add_effects(model, c, r);
+  return r;
+}
+
+StepResponse of_channel(const Model& model, const DrivenChannel& c, const Series& series) {
+  StepResponse r = response_to(c.name, c.input);
+  const double per_step = c.scale * c.input.factor() * r.step;
+  for (std::size_t s = 0; s < c.sections.size(); ++s)
+    r.parts.push_back({fmt::format("section {}", s + 1), per_step * c.sections[s].gain,
+                       c.sections[s].time_constant});
+  r.at_once = per_step * c.feedthrough;
+  r.sensor_time_constant = answer_of(model, c).sensor_time_constant;
+  if (c.printed) sample(c, series, r);
+  add_effects(model, c, r);
   return r;
 }
 
@@ -141,7 +147,7 @@ std::vector<StepResponse> step_responses(const Model& model, const record::Recor
   std::vector<StepResponse> list;
   for (const DrivenChannel& c : model.channels) {
     if (c.element)
-      for (const double step : steps_shown(c, series)) list.push_back(of_element(c, step));
+      for (const double step : steps_shown(c, series)) list.push_back(of_element(model, c, step));
     else
       list.push_back(of_channel(model, c, series));
   }

@@ -267,7 +267,7 @@ TEST_F(Correction, CheckTellsWhatARecordIsWorth) {
                             "power/train.csv --json"));
   EXPECT_EQ(d["sampling_s"], 30.0);
   EXPECT_EQ(d["readings"], 2880);
-  EXPECT_EQ(d["time_constants_visible_s"], (json{90.0, 43185.0}));
+  EXPECT_EQ(d["time_constants_visible_s"], (json{60.0, 43185.0}));
   EXPECT_NEAR(d["quanta"]["front_bearing_temperature_C"].get<double>(), 0.1, 1e-9);
 }
 

@@ -192,7 +192,7 @@ TEST(RecordCheck, NamesWhatIsWrongWithSensors) {
   EXPECT_THAT(texts(check.warnings), Contains(HasSubstr("stuck_temperature_C is constant")));
   EXPECT_THAT(texts(check.warnings), Contains(HasSubstr("jumping_temperature_C jumps")));
   EXPECT_EQ(check.sampling, 20.0);
-  EXPECT_EQ(check.shortest, 60.0);
+  EXPECT_EQ(check.shortest, 40.0);
   EXPECT_EQ(check.longest, 20000.0);
 }
 
