@@ -59,11 +59,10 @@ void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEqui
   if (std::isnan(load.least())) return;
   const bearing::ShoulderMargins left = shoulder_margins(bearing, e);
   const auto angle = [](double margin) {
-    return std::isnan(margin) ? std::string("none") : fmt::format("{:.2f}", margin / degree);
+    return std::isnan(margin) ? std::string("unknown") : fmt::format("{:.2f} deg", margin / degree);
   };
-  fmt::print(
-      "margin of the contact ellipse: {} deg to the inner shoulder, {} deg to the outer shoulder\n",
-      angle(left.inner), angle(left.outer));
+  fmt::print("margin of the contact ellipse: {} to the inner shoulder, {} to the outer shoulder\n",
+             angle(left.inner), angle(left.outer));
   if (std::isinf(load.least()))
     fmt::print("permissible axial load at standstill: not limited by the shoulders\n");
   else

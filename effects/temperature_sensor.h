@@ -57,12 +57,12 @@ struct TemperatureOffset {
 struct TemperatureGain {
   static constexpr std::string_view id = "temperature-gain";
   static constexpr std::string_view title =
-      "the temperature sensor shows only a share of the temperature rise";
+      "the temperature sensor shows a wrong share of the temperature rise";
   static constexpr std::string_view datum = "the place of the temperature sensor";
   static constexpr std::string_view mechanism =
-      "Wrong data, not missing physics: the sensor is not at the oil film and shows only a share "
-      "of the temperature rise of the film above the room. The film is warmer than the recorded "
-      "temperature, most at high temperature.";
+      "Wrong data, not missing physics: the sensor is not at the oil film and shows a share of "
+      "the temperature rise of the film above the room. With a share below 1, the film is warmer "
+      "than the recorded temperature, most at high temperature.";
   static constexpr std::string_view formula = "T_read = T_room + s (T - T_room)";
   static constexpr std::string_view source = "steady conduction past the sensor; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{

@@ -356,13 +356,14 @@ std::vector<model::Circuit> read_circuits(ModelTables& tables, const model::Cool
     if (!name)
       s.fail("name",
              "[coolant.circuit] name is missing: it becomes part of column names of the result");
-    const auto fail = [&](const char* why) {
+    const auto fail = [&](std::string_view why) {
       s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
     };
     if (!names_a_column(*name)) fail("must be letters, digits and _");
     for (const char* taken : {"coolant", "air", "machine"})
       if (*name == taken)
-        fail("raceway already has a column heat_to_NAME_W with this name; choose another name");
+        fail(fmt::format("the result already has a column heat_to_{}_W; choose another name",
+                         taken));
     for (const model::Circuit& other : list)
       if (other.name == *name) fail("another circuit has this name; choose another name");
     const std::string address = fmt::format("coolant.circuit[{}]", list.size());
@@ -408,7 +409,7 @@ std::vector<model::HeatSource> read_heat_sources(ModelTables& tables, const Name
     model::HeatSource source;
     const auto name = s.text("name");
     if (!name) s.fail("name", "[heat] name is missing: it becomes part of the column NAME_heat_W");
-    const auto fail = [&](const char* why) {
+    const auto fail = [&](std::string_view why) {
       s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
     };
     if (!names_a_column(*name)) fail("must be letters, digits and _");

@@ -382,7 +382,7 @@ TEST(SpindleSection, ACircuitThatCannotBeIsRefusedWithItsPlace) {
   const std::vector<WrongSpindle> cases{
       {"name = \"jacket\"\n", "", "[coolant.circuit] name is missing"},
       {"\"jacket\"", "\"air\"",
-       "raceway already has a column heat_to_NAME_W with this name; choose another name"},
+       "the result already has a column heat_to_air_W; choose another name"},
       {"\"jacket\"", "\"my jacket\"", "must be letters, digits and _"},
       {"inlet_temperature_C = 25", "inlet_temperature_C = 120", "must be from 0 to 100 C"},
       {"pitch_mm = 12", "pitch_mm = 5", "must be at least channel_width_mm"},
