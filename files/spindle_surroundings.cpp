@@ -169,7 +169,8 @@ void read_heat(ModelTables& tables, const Section& s, model::HeatSource& source)
   if (number) {
     if (s.find("heat_factor"))
       s.fail("heat_factor",
-             "heat_factor: only possible if heat_W is a formula, but heat_W is a number");
+             fmt::format("heat_factor: only possible if heat_W is a formula, but heat_W is {}",
+                         node ? "a number" : "missing"));
     return;
   }
   const std::string formula = *s.text("heat_W");
