@@ -65,7 +65,8 @@ struct BearingInSet {
   double displacement = unset;     ///< δ_i, axial compression, including offset and shift [m]
   double axial_stiffness = unset;  ///< tangent stiffness of this bearing [N/m]
   BallEquilibrium ball;            ///< equilibrium of the ball at azimuth 0
-  std::optional<GivenRotation> rotation;              ///< given rotation; empty under race control
+  /// Rotation of the balls that the caller prescribed; empty if the race control determines it.
+  std::optional<GivenRotation> rotation;
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest Hertz pressures [Pa]
   /// Minimum axial load for rolling without skidding, from minimum_load() [N].
   double minimum_load = unset;

@@ -245,8 +245,8 @@ struct Exclusions {
 /// Properties of an effect that determine its weight in a verdict and the wording of the verdict.
 struct Nature {
   /// True if all rotating parts contribute to the effect. In a coast-down, the effect is then the
-  /// drag of all these parts and is added once, not once per bearing. The plausible range is for
-  /// the drag of a bearing alone.
+  /// drag of all these parts and is added once, not once per bearing. The plausible upper
+  /// limit of its size is for one bearing and does not apply to a coast-down.
   bool drags_on_the_rotor = false;
   /// Exponent p that adapts the plausible range of the effect's size parameter to the bearing. The
   /// stated range is for a pitch diameter of 60 mm and is multiplied by (d_m/60 mm)^p. With p = 0,

@@ -18,8 +18,9 @@ namespace raceway::files {
 /// all of them if `wanted` is empty.
 ///
 /// Throws InputError if time_s is missing or does not rise within a run, if a column of `needed` is
-/// missing, if a column name looks misspelt, and for cells that are empty, not numbers or outside
-/// the allowed range. One message shows the first ten invalid cells and counts the others.
+/// missing, if a column name looks misspelt, for an empty cell of another column, such as time_s,
+/// and for cells that are not numbers or outside the allowed range. One message shows the first ten
+/// invalid cells and counts the others.
 [[nodiscard]] record::Record read_series(const Source& source,
                                          const std::vector<const record::Channel*>& wanted,
                                          const std::vector<const record::Channel*>& needed,

@@ -7,9 +7,9 @@
 
 namespace raceway::files {
 
-/// Reads a time record of a spindle and converts it to SI: time_s or dates, speed_rpm, the inputs
-/// of record::spindle_channel(), the sensors of the model and axial_displacement_um. Other columns
-/// are not used in calculations, and a note lists them.
+/// Reads a time record of a spindle and converts these columns to SI: time_s or dates, speed_rpm,
+/// the input columns that record::spindle_channel() knows, the sensors of the model and
+/// axial_displacement_um. Other columns are not used in calculations, and a note lists them.
 ///
 /// An empty cell of a measured column is a missing reading. Empty cells of an input are filled as
 /// in read_series(). Throws InputError like read_series(), for a column whose name looks like a

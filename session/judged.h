@@ -51,7 +51,7 @@ class JudgedColumns {
 
  private:
   struct OfBearing {
-    std::string place;  ///< name of the bearing on its shaft
+    std::string place;  ///< position of the bearing on the shaft, as in messages
     std::size_t lost = 0, inner = 0, outer = 0, load = 0, least = 0, largest = 0;
   };
   const model::Model* model_;

@@ -48,8 +48,8 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
                                                       const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
 
-/// Axes of a table, each with values in ascending order. An axis without values has the single
-/// value of the model.
+/// Axes of a table, each with values in ascending order. The speeds must be given. Any
+/// other axis without values has the one value that the model file gives.
 struct AskedAxes {
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
 };

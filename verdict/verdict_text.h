@@ -34,8 +34,9 @@ namespace raceway::verdict {
 /// Returns a text with the changes of the free parameters when the effects of the verdict are left
 /// out. It is empty if all changes are below 1 %.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
-/// Returns a text with up to three suggested measurements, their predicted separation, and further
-/// quantities to record. The text is empty if there are no suggestions.
+/// Returns a text with up to three suggested measurements, how well each would separate the
+/// candidate effects, and further quantities to record. The text is empty if there are no
+/// suggestions.
 [[nodiscard]] std::string measure_text(const Diagnosis& d);
 /// Returns a text about the two rows of `hidden`, which have nearly equal inputs and different
 /// readings.

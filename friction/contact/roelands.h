@@ -12,8 +12,8 @@ namespace raceway::friction::contact {
 ///
 /// The slope of ln η at zero pressure is α, as in Barus' law. Above about 0.1 GPa the viscosity
 /// rises more slowly than in Barus' law.
-/// Source:   Roelands 1966, in the form that textbooks give [Hamrock1994]. Neither print was
-///           checked; the form comes from a published report on roller bearings.
+/// Source:   Roelands 1966, also in textbooks such as [Hamrock1994]; neither was checked. The
+///           formula was read in a published report on roller bearings.
 /// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has a pole. If η0 is
 ///           not above this pole, the result is NaN (see roelands_holds()).
 /// Accuracy: the viscosity is accurate to 10 % up to 0.5 GPa. Above 1 GPa the oil behaves like a
