@@ -137,9 +137,10 @@ Run setup_calibrate(CLI::App& command) {
   flags->declare_force(command);
   declare_json(command, flags->json);
   command.footer(
-      "[calibration] free in the model lists the fitted parameters. Default: the usual\nparameters "
-      "of the law, such as f0 and z; for a spindle, only the first of these\nparameters; for "
-      "another shaft with preload_N, only preload_N.\n\nWithout DATA, the command fits the groove "
+      "The key free in the table [calibration] of MODEL lists the parameters to fit.\nDefault: the "
+      "usual parameters of the law, such as f0 and z; for a spindle, only the\nfirst of these "
+      "parameters; for another shaft with preload_N, only preload_N.\n\nWithout DATA, the command "
+      "fits the groove "
       "conformity, which makers do not print, to\nthe axial rigidities of the bearing in the "
       "catalogue.\n\nExample:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n  raceway "
       "calibrate my.toml monday.csv friday.csv --per-record f0,z -o fitted.toml\n  raceway "

@@ -106,7 +106,8 @@ class EffectKind {
   /// Returns the columns that the effect needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
 
-  /// Returns faults of this kind that the record shows, such as a loose sensor. Default: none.
+  /// Returns the faults, such as a loose sensor, that this kind of effect finds in the record.
+  /// Default: none.
   [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
   /// Returns the contribution of the effect to the displacement. Default: none.

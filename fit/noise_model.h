@@ -137,8 +137,8 @@ struct ChannelReadings {
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
 /// Returns the noise of independent readings with the known standard deviations
-/// ChannelReadings::std. Use this function for readings from a regression over many more samples
-/// than readings. The regression then determines the scatter well.
+/// ChannelReadings::std. Use this function if each reading is the result of a regression over many
+/// samples. The regression then determines the scatter well.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);
 
 }  // namespace raceway::fit

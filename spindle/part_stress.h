@@ -39,8 +39,8 @@ struct RoundPart {
 /// temperature, E, ν, α and ρ are material data, and ω is the speed. The stresses of heat, fit and
 /// rotation are added. The sum is exact although press_fit() assumes plane stress: an axial stress
 /// without resultant force does not change the radial growth of bore and outer surface.
-/// Source:   Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152 (heat), Lamé
-///           (fit), the rotating disc in plane strain (rotation).
+/// Source:   heat: Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152; fit:
+///           Lamé's equations; rotation: the equations of a long rotating cylinder (plane strain).
 /// Domain:   sections several wall thicknesses away from ends, steps and grooves of the part.
 /// Accuracy: exact to rounding for steady radial heat flow. For other temperature profiles, the
 ///           spacing of the given temperatures limits the accuracy.

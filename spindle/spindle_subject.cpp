@@ -327,8 +327,8 @@ std::string SpindleSubject::lacks(const std::string& id, const fit::Record& reco
   if (std::string need = ModelSubject::lacks(id, record); !need.empty()) return need;
   const effects::Description* const d = description(id);
   if (d && d->condition && !d->as_mounted)
-    return "a model of the bearing sets only, without [shaft] and [housing]: a spindle model has "
-           "its own effects of heat and friction";
+    return "a model of the bearing sets only, without [shaft] and [housing]: a spindle model "
+           "already calculates heat and friction";
   if (d && d->spindle && model().spindle->network)
     return "a spindle model with the geometry of its parts instead of [network]";
   return {};
