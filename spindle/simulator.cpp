@@ -432,6 +432,7 @@ Moment Simulator::steady(const Inputs& inputs, Report& report) {
     return Moment{};
   }
   p.last.time = 0.0;
+  p.last.structure_time = std::numeric_limits<double>::infinity();
   p.remember(0.0);
   return m;
 }

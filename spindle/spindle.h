@@ -114,7 +114,8 @@ struct Moment {
 /// Temperatures of all cells, from which a simulation can continue.
 struct State {
   double time = 0.0;                 ///< [s]
-  double structure_time = 0.0;       ///< time since the machine temperature began to drift [s]
+  /// Time since the machine temperature began to drift [s]; infinite after the steady state.
+  double structure_time = 0.0;
   std::vector<double> temperatures;  ///< [K]
 };
 

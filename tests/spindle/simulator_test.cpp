@@ -195,6 +195,20 @@ TEST(Simulator, GoesOnFromAStateAsIfItHadNeverStopped) {
   EXPECT_NEAR(second.moments.back().displacement, whole.moments.back().displacement, 1e-11);
 }
 
+TEST(Simulator, GoesOnFromTheSteadyStateWithTheWholeDriftOfTheMachine) {
+  model::Model m = base_spindle();
+  m.effects.push_back({effects::find("structure-temperature", m.form()), {3.0, 2.0}});
+  const Inputs inputs{.speed = 6000 * rpm};
+  Simulator simulator(m);
+  Report report;
+  const Moment steady = simulator.steady(inputs, report);
+  const State state = simulator.state();
+  const std::vector<ProfileRow> hour{{.time = 3600.0, .inputs = inputs}};
+  const Run run = simulator.simulate(hour, &state);
+  ASSERT_TRUE(report.converged() && run.report.converged());
+  EXPECT_NEAR(run.moments[0].displacement, steady.displacement, 1e-4 * steady.displacement);
+}
+
 TEST(Simulator, KeptStepsGiveTheSameRun) {
   const std::vector<ProfileRow> profile = day();
   Simulator simulator(base_spindle());
