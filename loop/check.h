@@ -14,7 +14,7 @@ struct Check {
   struct Column {
     const record::Channel* channel = nullptr;
     double lower = unset, upper = unset;  ///< range of the values [SI]
-    int levels = 0;  ///< number of different values, after rounding to 0.001 of the unit
+    int levels = 0;  ///< number of different values, rounded to 0.001 in the unit of files
   };
   struct MeasuredChannel {
     const record::Channel* channel = nullptr;

@@ -69,7 +69,8 @@ struct BeamLoad {
 
 struct BeamMesh {
   double element_length = 5 * mm;  ///< largest length of an element [m]
-  int elements = 0;  ///< minimum number of elements; if above 0, replaces `element_length`
+  /// Minimum number of elements of the beam. If it is above 0, `element_length` has no effect.
+  int elements = 0;
 };
 
 /// Shaft made of Timoshenko beam elements. The coordinate s increases from the nose to the rear.

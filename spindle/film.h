@@ -288,7 +288,7 @@ struct ChannelFlow {
   double reynolds = unset;       ///< [1]
   double film = unset;           ///< heat transfer coefficient [W/(m² K)]
   double pressure_drop = unset;  ///< pressure drop of the channel [Pa]
-  double throttle_drop = 0.0;    ///< pressure drop of the orifice behind the channel [Pa]
+  double throttle_drop = 0.0;    ///< pressure drop of an orifice behind the channel [Pa]; 0: none
 };
 
 /// Computes velocity, heat transfer and pressure drops at a mean temperature of the coolant [K].

@@ -40,8 +40,8 @@ class HeatFlow {
   /// Advances the temperatures by dt [s]. Speed and loads in `inputs` must equal the speed and
   /// loads of the last call of set_inputs(). Heat transfer coefficients, ring seats, and bearing
   /// loads from radial loads on the shaft are computed at the temperatures `films` [K].
-  /// `machine_rise` is the drift of the machine temperature [K]. The temperatures change only if
-  /// the status is `converged`.
+  /// `machine_rise` is added to the machine temperature of the inputs [K]. The temperatures change
+  /// only if the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
   /// Finds the steady state for these inputs. `iterations` receives the number of updates of heat

@@ -30,7 +30,7 @@ using Shares = std::vector<Share>;
 
 /// Position and dimensions of one bearing, and its cells in the mesh.
 struct BearingPlace {
-  double position = unset, width = unset;  ///< [m]
+  double position = unset, width = unset;  ///< centre behind the nose face, and width [m]
   double seat_bore = unset, seat = unset;  ///< radii of shaft bore and shaft seat [m]
   double inner_shoulder = unset, outer_shoulder = unset;  ///< shoulder radii [m]
   double housing_seat = unset, housing_outer = unset;     ///< radii of bore and outer surface [m]
@@ -82,7 +82,7 @@ struct Layout {
 };
 
 /// Returns the layout of a spindle. Throws std::invalid_argument if parts do not fit together, or
-/// if the model has no [shaft] and [housing].
+/// if the model is not a spindle with [shaft] and [housing].
 [[nodiscard]] Layout make_layout(const model::Model& model, model::Cells cells);
 
 /// Returns the regions of shaft, housing, rings and spacers before their division into cells.

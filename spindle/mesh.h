@@ -23,7 +23,7 @@ struct Region {
 /// Cell of the mesh, which is a region or a part of a region.
 struct Cell : Region {
   int region = -1;
-  int column = -1, row = -1;  ///< column and row in the grid
+  int column = -1, row = -1;  ///< axial index (column) and radial index (row) in the grid
 
   [[nodiscard]] double length() const { return end - start; }
   [[nodiscard]] double section() const;        ///< solid area of the cross-section [m²]

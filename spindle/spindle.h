@@ -25,21 +25,23 @@ enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_li
 /// Returns the status in words, such as "the bearing sets have no equilibrium".
 [[nodiscard]] std::string_view words(Status status);
 
-/// Operating conditions of a spindle. Unless stated otherwise, the simulation replaces an input
-/// that is NaN by the value in the model.
+/// Operating conditions of a spindle. A temperature, motor heat or belt force that is NaN has the
+/// value in the model. Speed and loads at the nose must be numbers.
 struct Inputs {
   double speed = 0.0;                  ///< [rad/s], >= 0
   double ambient_temperature = unset;  ///< [K]
-  double machine_temperature = unset;  ///< [K]
-  double coolant_inlet = unset;        ///< [K]
-  double motor_heat = unset;           ///< [W]
-  double motor_power = unset;          ///< electrical input power of the motor [W]; NaN: unknown
-  double axial_load = 0.0;             ///< load at the nose, positive towards the tool [N]
-  double radial_load = 0.0;            ///< load at the nose in the direction of y [N]
+  double machine_temperature = unset;  ///< temperature of the machine at the flange [K]
+  /// Inlet temperature of the first coolant circuit, and of circuits without an inlet temperature
+  /// in the model [K].
+  double coolant_inlet = unset;
+  double motor_heat = unset;   ///< heat that the motor releases in the spindle [W]
+  double motor_power = unset;  ///< electrical power, for heat formulas [W]; NaN: unknown
+  double axial_load = 0.0;     ///< load at the nose, positive towards the tool [N]
+  double radial_load = 0.0;    ///< load at the nose in the direction of y [N]
   /// Moment at the nose in the plane of y [N m]. The moment is positive if it turns the shaft like
   /// a positive radial force in front of the nose.
   double moment = 0.0;
-  double belt_force = unset;  ///< [N]
+  double belt_force = unset;  ///< force of the belt on the shaft [N]
   bool coolant_on = true;
   [[nodiscard]] bool operator==(const Inputs&) const = default;
 };
@@ -113,8 +115,9 @@ struct Moment {
 
 /// Temperatures of all cells, from which a simulation can continue.
 struct State {
-  double time = 0.0;                 ///< [s]
-  /// Time since the machine temperature began to drift [s]; infinite after the steady state.
+  double time = 0.0;  ///< [s]
+  /// Simulated time since the start from ambient temperature [s]; infinite after the steady state.
+  /// The drift of the machine temperature depends on this time.
   double structure_time = 0.0;
   std::vector<double> temperatures;  ///< [K]
 };
@@ -132,10 +135,10 @@ struct Report {
 };
 
 /// Result of a simulated speed programme. If the simulation stops early, `moments` contains only
-/// the rows before the stop.
+/// the rows before the stop, and, if `has_end` is true, the stop as last entry.
 struct Run {
-  std::vector<Moment> moments = {};    ///< one entry for each row of the programme
-  bool has_end = false;                ///< true: add_end() added a moment at an early stop
+  std::vector<Moment> moments = {};    ///< results at the rows of the programme
+  bool has_end = false;                ///< true: add_end() added the results at an early stop
   std::vector<double> step_ends = {};  ///< end time of each time step [s]
   State end = {};
   /// State at the end of the first step that reaches each time in `keep` of simulate(). Times after

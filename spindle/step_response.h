@@ -26,7 +26,7 @@ struct StepResponse {
   /// Friction loss of all bearings at the end [W]: the power P in the laws for gain K(P) and time
   /// constant T(P).
   double power_end = unset;
-  double kinematic = unset;      ///< immediate displacement [m]
+  double kinematic = unset;      ///< displacement that follows the step without delay [m]
   double end = unset;            ///< displacement at the end minus `kinematic` [m]
   double front_force = unset;    ///< axial force of the front set at t = 0 [N]
   double highest_force = unset;  ///< largest axial force of the front set during the step [N]
@@ -71,7 +71,8 @@ struct StepOptions {
   double row = 120.0;
   Inputs inputs = {};     ///< all inputs except speed and stepped load
   bool cool_down = true;  ///< true: simulate cooling of the same duration after the fastest step
-  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the functions throw fit::Cancelled
+  /// Flag of the caller; null: none. If the flag is true, the functions throw fit::Cancelled.
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
 /// Simulates a step from rest at ambient temperature to each of these speeds [rad/s], with the

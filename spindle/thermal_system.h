@@ -50,7 +50,7 @@ class ThermalSystem {
   /// Updates heat transfer coefficients and ring seats for these cell temperatures [K] and inputs.
   void update(const Vector& temperatures, const Inputs& inputs);
   /// Sets the temperatures of the reservoirs and the heat of all sources for these inputs.
-  /// `machine_rise` is the drift of the machine temperature [K].
+  /// `machine_rise` is added to the machine temperature of the inputs [K].
   void set_inputs(const Inputs& inputs, double machine_rise);
   /// Returns the heat of all sources except bearing friction [W].
   [[nodiscard]] double driven_heat() const { return driven_heat_; }

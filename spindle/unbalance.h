@@ -27,7 +27,8 @@ struct Orbit {
 ///   (-Ω² M + (1 + 2 i ζ) K_y) v + i Ω² G w = u Ω²
 ///   (-Ω² M + (1 + 2 i ζ) K_z) w - i Ω² G v = -i u Ω²
 ///
-/// M, G and K are the matrices of find_modes(), Ω is the speed, and ζ is the damping ratio.
+/// M, G and K are the mass, gyroscopic and stiffness matrices of shaft and springs. K_y and K_z are
+/// the stiffness matrices in the planes of y and z. Ω is the speed, and ζ is the damping ratio.
 /// Source:   equations of find_modes(). The loss factor 2 ζ of the stiffness gives each mode the
 ///           damping ratio ζ at resonance. Tests compare the result for a rigid rotor with
 ///           |u Ω²/(m (ω0² (1 + 2 i ζ) - Ω²))|, where m is the mass of the rotor and ω0 its

@@ -35,12 +35,12 @@ struct BearingHeat {
 
 /// Equilibrium, forces and friction heat of the bearing sets at given ring temperatures.
 ///
-/// Each bearing has its own ring temperatures, and thermal_shift() gives the ring expansion. Balls
-/// and lubricant have the mean temperature of both rings. Friction depends on the axial forces of
-/// the warm sets. If the model sets `preload_feedback` to false, friction depends on the forces of
-/// the cold sets at the same speed. SpindleCondition::other_preload_feedback interpolates between
-/// both cases. The contributions of radial loads to forces, friction and shaft position are
-/// constant between two calls of bear().
+/// Each bearing has its own ring temperatures, and thermal_shift() computes the change of its
+/// dimensions by thermal expansion. Balls and lubricant have the mean temperature of both rings.
+/// Friction depends on the axial forces of the warm sets. If the model sets `preload_feedback` to
+/// false, friction depends on the forces of the cold sets at the same speed. The effect parameter
+/// SpindleCondition::other_preload_feedback interpolates between both cases. The contributions of
+/// radial loads to forces, friction and shaft position are constant between two calls of bear().
 class WarmSets {
  public:
   /// Mounts the bearing sets. Throws std::invalid_argument if they cannot be mounted.

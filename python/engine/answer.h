@@ -21,7 +21,7 @@ namespace py = pybind11;
 /// Measurements that Python keeps; null if there are none.
 using Data = std::shared_ptr<session::Source>;
 
-/// Columns by name, in the units of files.
+/// Name and values of each column. The values are in the units of record files.
 using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 /// Result of a call, in the forms that Python needs: JSON, page, CSV, columns and notes.
@@ -50,8 +50,9 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Returns the columns as NumPy arrays, by name.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
-/// Returns the options of calibrate, diagnose and similar functions from keyword arguments of
-/// Python: reading of the records, rows, channel and tolerance. Throws TypeError for other options.
+/// Returns the options of calibrate, diagnose and similar functions from the keyword arguments
+/// `columns`, `drop_nan`, `from`, `until`, `per_record`, `rows`, `channel` and `tolerance` of
+/// Python. Throws TypeError for other keywords. An argument that is None has no effect.
 [[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
 
 /// Runs `work` as an interruptible call from Python and adds the messages of `work` to the answer.

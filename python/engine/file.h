@@ -19,15 +19,15 @@ class EngineFile {
  public:
   virtual ~EngineFile() = default;
 
-  /// Notes from reading the file.
+  /// Returns the notes and warnings from reading the file.
   [[nodiscard]] const Heard& heard() const { return heard_; }
   /// Returns the file as an input of a calculation.
   [[nodiscard]] virtual session::Source source() const = 0;
   [[nodiscard]] virtual session::Part part() const = 0;
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
-  /// Returns the parameters, which a fit may change.
+  /// Returns all parameters that a fit can change.
   [[nodiscard]] virtual std::vector<record::Parameter> parameters() const = 0;
-  /// Adds the parts that a file cannot contain to a model, such as effects with Python functions.
+  /// Adds effects with Python functions, which a file cannot contain, to the model in `file`.
   virtual void amend(files::ModelFile&) const {}
 
  protected:

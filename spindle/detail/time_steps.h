@@ -20,9 +20,10 @@ class Programme {
   [[nodiscard]] double begin_of(std::size_t row) const {
     return row == 0 ? start_ : rows_[row - 1].time;
   }
-  /// Returns the index of the first row after `row` at which the inputs jump; the number of rows if
-  /// there is no such row. A jump is a change of speed, loads or motor heat, coolant switched on or
-  /// off, or a change of ambient, machine or coolant inlet temperature by more than 0.5 K.
+  /// Returns the index of the first row after `row` whose inputs jump relative to the row before
+  /// it; the number of rows if there is no such row. A jump is a change of speed, loads, motor heat
+  /// or motor power, coolant switched on or off, or a change of ambient, machine or coolant inlet
+  /// temperature by more than 0.5 K.
   [[nodiscard]] std::size_t jump_after(std::size_t row) const;
   /// Returns the inputs of a step between two times [s]. Ambient, machine and coolant temperatures
   /// are averaged over the step. `row` is the row whose inputs apply at the time `from`.
@@ -33,15 +34,16 @@ class Programme {
   double start_;
 };
 
-/// Chooses step sizes [s]. After a jump of the inputs, the steps are short. Later, the estimated
-/// temperature error determines the step size.
+/// Chooses step sizes [s]. If the caller gives the end times of the steps, these determine the
+/// sizes. Otherwise, the steps are short after a jump of the inputs, and the estimated temperature
+/// error determines each later step size.
 class StepSizes {
  public:
   static constexpr double longest_unless_given = 600.0;
 
   /// `longest` is the longest step [s]. `tolerance` is the allowed temperature error of a step [K].
-  /// `given` contains the end times of all steps [s]; if it is empty, the estimated error
-  /// determines the step sizes.
+  /// `given` contains the end times of all steps [s]; if it is empty, this class chooses the step
+  /// sizes.
   StepSizes(double longest, double tolerance, std::span<const double> given)
       : longest_(longest), tolerance_(tolerance), given_(given) {}
 
