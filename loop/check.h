@@ -21,7 +21,7 @@ struct Check {
     int rows = 0;  ///< number of rows with a reading
     fit::Noise noise{};
     double found_noise =
-        unset;  ///< RMS noise that calibrate() and diagnose() use [SI]; NaN: unknown
+        unset;  ///< RMS noise that diagnose() estimates from the readings [SI]; NaN: no estimate
   };
   struct Testable {
     std::string id;

@@ -38,14 +38,14 @@ class HeatFlow {
   /// Sets speed and loads of the bearing sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Advances the temperatures by dt [s]. Speed and loads in `inputs` must equal the speed and
-  /// loads of the last call of set_inputs(). Heat transfer coefficients, ring seats, and bearing
-  /// loads from radial loads on the shaft are computed at the temperatures `films` [K].
-  /// `machine_rise` is added to the machine temperature of the inputs [K]. The temperatures change
-  /// only if the status is `converged`.
+  /// loads of the last call of set_inputs(). Heat transfer coefficients, conductances of ring
+  /// seats, and bearing loads from radial loads on the shaft are computed at the temperatures
+  /// `films` [K]. `machine_rise` is added to the machine temperature of the inputs [K]. The
+  /// temperatures change only if the status is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
   /// Finds the steady state for these inputs. `iterations` receives the number of updates of heat
-  /// transfer coefficients and ring seats.
+  /// transfer coefficients and seat conductances.
   [[nodiscard]] Status settle(const Inputs& inputs, double machine_rise, int& iterations);
   /// Returns the steady-state gain of the feedback loop heat -> temperature -> preload -> heat at
   /// the present temperatures [1]; NaN without bearings or without an equilibrium of the sets.

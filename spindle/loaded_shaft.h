@@ -98,8 +98,9 @@ class ShaftOnBearings {
 /// stiffness given in the arrangement.
 ///
 /// Domain:   `places` contains the centres of the bearings, front set first [m]. Each bearing
-///           centre must be a node of the beam. Throws std::invalid_argument if the number of
-///           centres differs from the number of bearings.
+///           centre and the position of the load must be nodes of the beam. Throws
+///           std::invalid_argument if a node is missing, or if the number of centres differs from
+///           the number of bearings.
 /// Accuracy: the force error is at most 1e-9 of the preload or of the largest load, whichever is
 ///           larger. Second-order effects of the axial force are neglected.
 [[nodiscard]] LoadedShaft solve_loaded_shaft(const Beam& beam,

@@ -71,8 +71,8 @@ struct PowerLaws {
 /// Fits laws over a load, which may be positive or negative. The load replaces P in the laws.
 [[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
-/// Returns a curve of the gain K through all points and through K(0) = 0. Points with equal power
-/// or load are averaged.
+/// Returns a curve of the gain K through all points and through K(0) = 0, which replaces a point at
+/// zero power or load. Points with equal power or load are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
 /// Returns a curve of the time constant T through all points. `at_rest` is T at zero power or
 /// load [s]; it has no effect if it is NaN or if one of the points has zero power or load.

@@ -20,8 +20,8 @@ struct CylinderHeat {
 /// Cells of a spindle with all heat paths except the paths through the bearings. BearingCoupling
 /// computes friction and heat conduction of the bearings.
 ///
-/// Heat transfer coefficients and ring seats depend on the temperatures that are passed to
-/// update(). They are constant within a time step.
+/// Heat transfer coefficients, and pressures and conductances of the ring seats, depend on the
+/// temperatures that are passed to update(). They are constant within a time step.
 class ThermalSystem {
  public:
   /// Group of heat paths with the same conductance per area.
@@ -47,7 +47,8 @@ class ThermalSystem {
   /// Returns the inlet temperature of a circuit for these inputs [K].
   [[nodiscard]] double inlet(const Circuit& circuit, const Inputs& inputs) const;
 
-  /// Updates heat transfer coefficients and ring seats for these cell temperatures [K] and inputs.
+  /// Updates heat transfer coefficients, and pressures and conductances of the ring seats, for
+  /// these cell temperatures [K] and inputs.
   void update(const Vector& temperatures, const Inputs& inputs);
   /// Sets the temperatures of the reservoirs and the heat of all sources for these inputs.
   /// `machine_rise` is added to the machine temperature of the inputs [K].

@@ -17,9 +17,9 @@ struct RollersAsked {
 /// Clearance, friction heat and heat conduction of a cylindrical roller bearing at the temperatures
 /// of its rings and seats.
 ///
-/// Between two calls of take(), the sum of the roller loads changes linearly with the clearance,
-/// but never falls below zero. Friction heat and preload therefore also interact within a time
-/// step.
+/// Between two calls of take(), the sums of the roller loads change linearly with the clearance,
+/// until the inner ring is without load. Friction heat and preload therefore also interact within a
+/// time step.
 class WarmRollers {
  public:
   WarmRollers(const model::Model& model, const model::RollerOnShaft& rollers, const Layout& layout,
