@@ -15,10 +15,11 @@ namespace raceway::friction {
 
 /// Base law of a model. `contact` sums friction over the balls in equilibrium
 /// (friction/contact/contact_law.h). `table` interpolates a measured table
-/// (friction/torque_table.h). `powers` and `contact_powers` are fitted to measurements
-/// (friction/powers.h). All laws but `contact`, `contact_powers` and `table` are formulas for the
-/// whole bearing. The laws of cylindrical roller bearings are in friction/roller_friction.h. In
-/// files, the roller laws have the names of the ball laws; the type of the bearing selects the law.
+/// (friction/torque_table.h). `powers` and `contact_powers` are power laws of viscosity, speed and
+/// load whose exponents are fitted to measurements (friction/powers.h). All laws but `contact`,
+/// `contact_powers` and `table` are formulas for the whole bearing. The laws of cylindrical roller
+/// bearings are in friction/roller_friction.h. In files, the roller laws have the names of the ball
+/// laws; the type of the bearing selects the law.
 enum class FrictionLaw {
   palmgren,
   skf,
@@ -39,8 +40,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
   return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
 }
-/// True if the exponents of the law are fitted: such a law describes measurements without a
-/// physical explanation.
+/// True for `powers` and `contact_powers`, whose viscous moment has fitted exponents of speed,
+/// viscosity and load. Such a law describes measurements without a physical explanation.
 [[nodiscard]] constexpr bool has_fitted_exponents(FrictionLaw law) {
   return law == FrictionLaw::powers || law == FrictionLaw::contact_powers;
 }
@@ -69,7 +70,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
-/// True if model files give this parameter of a law in the table [lubricant].
+/// True if model files give this parameter of a law in the table [lubricant] and not in [friction].
+/// Only `limiting_traction` is such a parameter.
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
 /// Returns the bearing data that a law for a whole ball bearing uses, as keys of a model file
@@ -86,15 +88,16 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
   return law == FrictionLaw::contact || law == FrictionLaw::contact_powers;
 }
 
-/// Throws std::invalid_argument if the bearing lacks data that the law needs: C0 for laws with
-/// Palmgren's load moment, a contact angle above 0 for SKF. The program calls this function once
-/// for each model; the laws do not check again.
+/// Throws std::invalid_argument if the bearing does not have the data that the law needs. Laws with
+/// Palmgren's load moment need the static load rating C0. The SKF law needs a contact angle above
+/// 0. The program calls this function once for each model; the laws do not check again.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
-/// Friction moments of the base law [N m]. For SKF, `load` is the sliding moment and `viscous` the
-/// rolling moment. For the contact law, `viscous` is the rolling resistance of the oil and `load`
-/// contains all other moments. For a table, `load` is the load-dependent part of the moment, and
-/// `viscous` is the rest.
+/// Friction moments of the base law [N m]. For `palmgren`, `powers` and `contact_powers`, `load` is
+/// the load-dependent moment and `viscous` the viscous moment. For SKF, `load` is the sliding
+/// moment and `viscous` the rolling moment. For the contact law, `viscous` is the rolling
+/// resistance of the oil and `load` contains all other moments. For a table, `load` is the
+/// load-dependent part of the moment, and `viscous` is the rest.
 template <typename T>
 struct BaseMoments {
   T load;

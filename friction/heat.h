@@ -10,7 +10,7 @@ namespace raceway::friction {
 
 /// Friction power P = M ω, which becomes heat [W].
 ///
-/// M is the friction moment of the whole bearing, so the number of balls is not a factor.
+/// M is the friction moment of the whole bearing, so the number of balls Z is not a factor.
 /// Source: [CaseStudy, eq. 19], where the factor Z is a misprint.
 template <typename T>
 T power_loss(const T& friction_moment, const T& speed) {

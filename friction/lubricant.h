@@ -36,8 +36,8 @@ enum class Supply { oil_air, grease, jet, bath };
 ///           pour point, the viscosity of a real oil is higher than computed.
 class Lubricant {
  public:
-  /// Viscosities are in m²/s. Throws std::invalid_argument if one is missing or out of range; the
-  /// message names it.
+  /// Kinematic viscosities at 40 and 100 °C [m²/s]. Throws std::invalid_argument if a viscosity is
+  /// NaN or outside the domain above; the message names this viscosity.
   Lubricant(double viscosity_40C, double viscosity_100C);
 
   [[nodiscard]] double kinematic_viscosity(double temperature) const;

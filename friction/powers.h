@@ -12,10 +12,10 @@ namespace raceway::friction {
 ///   M0 = 1e-7 f0 300000^(2/3) (max(ν n, 2000)/300000)^a (P/P_m)^b d_m³
 ///
 /// ν n is in mm²/s rpm and d_m in mm, as in palmgren_viscous_moment(). a and b are the fitted
-/// exponents. P is the load f1_load(), and P_m is medium_load(). With a = 2/3 and b = 0 the moment
-/// is Palmgren's for ν n >= 2000. The reference values 300 000 and P_m make f0 nearly independent
-/// of the exponents in a fit. The load moment of the law is PalmgrenLoad; its exponent 1 + y is
-/// fitted too.
+/// exponents. P is the load P0 or F_b (f1_load()), and P_m a typical value of this load
+/// (medium_load()). With a = 2/3 and b = 0 the moment is Palmgren's for ν n >= 2000. The reference
+/// values 300 000 and P_m make f0 nearly independent of the exponents in a fit. The load moment of
+/// the law is PalmgrenLoad; its exponent 1 + y is fitted too.
 ///
 /// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47, with
 ///           dimensionless speed U and load W [BibouletHoupert2010]. The exponents of a bearing

@@ -20,8 +20,8 @@ struct RollerState {
   F1Load counted = F1Load::rollers;    ///< choice of the load F, see counted_load()
   double speed = 0.0;                  ///< [rad/s]
   double radial_load = 0.0;            ///< F_r [N], magnitude
-  double inner_sum = 0.0;              ///< Σ Qi, roller loads at the inner ring [N]
-  double outer_sum = 0.0;              ///< Σ Qo, roller loads at the outer ring [N]
+  double inner_sum = 0.0;              ///< Σ Qi, sum of roller loads, inner ring [N]
+  double outer_sum = 0.0;              ///< Σ Qo, sum of roller loads, outer ring [N]
   double kinematic_viscosity = unset;  ///< [m²/s]
 };
 
@@ -110,8 +110,9 @@ void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 ///   load      in proportion to Σ Qi and Σ Qo
 ///
 /// γ is the ratio of roller diameter to pitch diameter d_m.
-/// Source: like split_heat() for balls, at contact angle zero. Each ring gets half if the sums Σ Q
-///         are zero or NaN. The heat of both rings equals the power loss to within rounding error.
+/// Source: like split_heat() for balls, at contact angle zero. Each ring gets half of the load
+///         friction if the sums Σ Q are zero or NaN. The heat of both rings equals the power loss
+///         to within rounding error.
 [[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);
 
 /// Heat conductance between the rings through dry rollers at rest [W/K].

@@ -75,7 +75,7 @@ T replenishment_factor(const T& K_rs, const T& speed, const T& viscosity, const 
   return exp(-K_rs * nu_n * ((d + D) * std::sqrt(K_Z / (2.0 * (D - d)))));
 }
 
-/// Share of boundary lubrication in sliding [1]: 1 at standstill, 0 on a full film.
+/// Share of boundary lubrication in sliding [1]: 1 at standstill, near 0 on a full film.
 ///
 ///   φ_bl = exp(-2.6e-8 (ν n)^1.4 d_m)
 ///

@@ -42,7 +42,7 @@ struct ContactPair {
 ///
 /// ω_s is the spin speed of a contact and ω the shaft speed; unit_spin_moment() describes Q, a and
 /// E(k). The moment times the shaft speed equals the total power of all contacts at their spin
-/// speeds. Spin moments are values for one contact, so this law needs a sum over the balls. Under
+/// speeds. The sum is over the balls, because their loads and contact angles can differ. Under
 /// outer control only the inner contacts spin; under inner control only the outer contacts spin.
 ///
 /// Source:   derived from unit_spin_moment() by a power balance; ω_s by [Jones1960] as in

@@ -13,10 +13,11 @@ struct ContactData;
 }
 struct TorqueTable;
 
-/// Load in Palmgren's load moment. For balls, F1Load is the load in the factor f1: the static
-/// equivalent load P0, as in [KRW2006], or F_b, for model files whose factor z is a value for F_b.
-/// For cylindrical rollers, F1Load is the load F: the external radial load F_r or the load on the
-/// rollers, see counted_load().
+/// Choice of a load in a friction law. For ball bearings, F1Load selects the load in the factor f1
+/// of Palmgren's load moment: the static equivalent load P0, as in [KRW2006], or Palmgren's load
+/// F_b, for model files whose factor z is a value for F_b. For cylindrical roller bearings, F1Load
+/// selects the load F of both laws: the external radial load F_r or the load on the rollers, see
+/// counted_load().
 enum class F1Load { P0, F_b, F_r, rollers };
 
 /// All inputs of a friction law for one bearing at one operating point. T is double or a type for
@@ -29,7 +30,7 @@ struct BearingState {
   const bearing::BearingEquilibrium* equilibrium = nullptr;
   bearing::RaceControl race_control = bearing::RaceControl::outer;
   F1Load f1_load = F1Load::P0;
-  /// Further inputs of the contact law; other laws ignore them.
+  /// Oil and contact data for the contact law; other base laws ignore both.
   const Lubricant* lubricant = nullptr;
   const contact::ContactData* contact = nullptr;
   const TorqueTable* table = nullptr;  ///< table of the law `table`; other laws ignore it
@@ -38,7 +39,8 @@ struct BearingState {
   T radial_load = T(0.0);              ///< F_r [N], magnitude
   T temperature = T(kelvin(40));       ///< temperature of the lubricant [K]
   T kinematic_viscosity = T(unset);    ///< viscosity at `temperature` [m²/s]
-  /// Replaces `bearing` and `equilibrium` if the bearing has cylindrical rollers.
+  /// Cylindrical roller bearing and its equilibrium; both are null for ball bearings. For roller
+  /// bearings, `bearing` and `equilibrium` are unused.
   const bearing::RollerBearing* rollers = nullptr;
   const bearing::RollerEquilibrium* roller_equilibrium = nullptr;
 
@@ -48,7 +50,8 @@ struct BearingState {
   }
 };
 
-/// Parameter of a friction law, with bounds. Its value can be given or fitted.
+/// Description of a parameter of a friction law: name, unit, start value and bounds. Model files
+/// give the value of the parameter, or `calibrate` fits it.
 using Parameter = record::NumberCard;
 
 }  // namespace raceway::friction

@@ -66,7 +66,7 @@ struct StribeckTable {
   TableSlab slab;                       ///< the members below contain the values of this slab
   std::vector<std::string> columns;     ///< names, which contain the units of files: "power_loss_W"
   std::vector<double> friction_moment;  ///< [N m]; NaN if a point has no value
-  std::vector<bearing::SolveStatus> status;  ///< status of each point
+  std::vector<bearing::SolveStatus> status;  ///< TablePoint::status of each point
   std::vector<double> values;  ///< values of all `columns` in SI units, point by point
 
   /// Index of a point in the whole table, from its index on each axis.
@@ -78,7 +78,8 @@ struct StribeckTable {
   [[nodiscard]] std::size_t first() const { return slab.first(axes.size()); }
   /// Operating point of a table point, from the index of this point in the whole table.
   [[nodiscard]] bearing::OperatingPoint point(std::size_t index) const;
-  /// Additional values of a point by its index within the slab, in the order of `columns`.
+  /// Additional values of a point, in the order of `columns`. `index` counts the points of the slab
+  /// from 0.
   [[nodiscard]] std::span<const double> row(std::size_t index) const;
 };
 

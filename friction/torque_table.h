@@ -10,15 +10,15 @@ namespace raceway::friction {
 
 /// Measured or precomputed friction moment of a bearing: the base law `table`.
 ///
-///   M = scale M(n, F_a, F_r, T)
+///   M = scale M_t(n, F_a, F_r, T)
 ///
-/// interpolate() computes M(n, F_a, F_r, T) from speed, the magnitudes of both loads and the
-/// temperature of the lubricant.
+/// interpolate() computes the moment M_t of the table from the speed n, the magnitudes of the axial
+/// load F_a and the radial load F_r, and the temperature T of the lubricant.
 /// Domain:   outside the range of an axis, the moment at the edge is used, so beyond the highest
-///           speed the power is proportional to speed. holds() is false for such a state. An input
-///           without an axis in the file may have any value.
-/// Accuracy: at the grid points, the uncertainty is the half width `band` if the file gives one;
-///           between the grid points, see interpolate().
+///           speed the power is proportional to speed. holds() is false for such a state. The
+///           moment does not depend on an input for which the file has no axis.
+/// Accuracy: at the grid points, the moment is uncertain by the half width `band` (95 %) if the
+///           file gives one. Between the grid points, interpolate() adds an interpolation error.
 struct TorqueTable {
   static constexpr std::array parameters{
       Parameter{.name = "scale", .unit = "1", .initial = 1.0, .lower = 0.01, .upper = 100.0}};
@@ -36,7 +36,8 @@ struct TorqueTable {
       false;  ///< true: torque of a whole shaft over the load at its nose; cannot be a base law
 
   [[nodiscard]] bool has_band() const { return !band.friction_moment.empty(); }
-  /// Friction moment of the table, without the factor `scale` [N m]; NaN if an input is not finite.
+  /// Friction moment of the table, without the factor `scale` [N m]; NaN if an input with an axis
+  /// is not finite.
   [[nodiscard]] double moment(const BearingState<>& state) const { return value(grid, state); }
   /// Half width of the 95 % error band at a state [N m]; NaN without a band.
   [[nodiscard]] double half_width(const BearingState<>& state) const {
@@ -47,7 +48,7 @@ struct TorqueTable {
     return load.friction_moment.empty() ? 0.0 : value(load, state);
   }
   /// True if the state lies within the ranges of all axes. Throws std::invalid_argument if an input
-  /// is not finite.
+  /// with an axis is not finite.
   [[nodiscard]] bool holds(const BearingState<>& state) const;
   /// Ranges of the axes in the file: "500 to 9000 rpm, 100 to 400 N axial, 20 to 70 C".
   [[nodiscard]] std::string range() const;

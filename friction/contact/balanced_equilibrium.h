@@ -22,8 +22,9 @@ class TurningBalls {
   /// result of the previous call. Returns false if the solver finds no rotation for a ball;
   /// `status()` then gives the reason. `ball_scale` is a typical load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
-  /// True if the last turn() changed the ball forces and the cage speeds by at most the solver
-  /// tolerances. At standstill, only the cage speeds are checked.
+  /// True if the last turn() changed the ball forces by at most the solver tolerance, and if the
+  /// computed cage speeds agree with the cage speeds used for the films. At standstill, only the
+  /// cage speeds are checked.
   [[nodiscard]] bool settled() const;
   /// Largest change of a force on a ball in the last turn(), divided by the outer contact load of
   /// the ball plus `ball_scale` [1].
@@ -56,7 +57,7 @@ struct BalancedEquilibrium {
   std::vector<BallAttitude> attitudes;  ///< rotation of each ball in equilibrium.balls.distinct()
   /// Status of the complete solution. `iterations` is the number of passes over ball forces and
   /// ball rotations. `residual` is the largest change of a force on a ball in the last pass,
-  /// relative to the ball load [1].
+  /// divided by the sum of the outer contact load and a typical ball load [1].
   bearing::SolveReport report;
 };
 

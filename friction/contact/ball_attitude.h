@@ -93,8 +93,9 @@ class BallAttitudes {
 
  private:
   [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
-  /// Computes both contacts of a ball, with the film thickness at this cage speed. Returns true if
-  /// asperities carry more than a tenth of the load of a contact.
+  /// Computes the ellipse and the shear law of both contacts of `ball`, with the film thickness at
+  /// this cage speed, and passes them to `turned`. Returns true if asperities carry more than a
+  /// tenth of the load of at least one contact.
   bool press(const bearing::BallEquilibrium& ball, double cage_speed, TurningBall& turned) const;
 
   const bearing::Bearing* bearing_;

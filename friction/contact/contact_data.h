@@ -19,7 +19,9 @@ struct ContactData {
   /// type is used.
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;
-  double inlet_over_b = unset;          ///< m of starvation_factors() [1]; NaN: the film is flooded
+  /// Distance from the contact centre to the edge of the oil in the inlet, divided by b [1]: m of
+  /// starvation_factors(). NaN: the film is flooded.
+  double inlet_over_b = unset;
   double race_roughness = 0.045 * um;   ///< roughness Rq of the race [m]
   double ball_roughness = 0.0218 * um;  ///< roughness Rq of the ball [m]
   AsperityLaw asperities;

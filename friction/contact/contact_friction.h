@@ -14,15 +14,17 @@
 
 namespace raceway::friction::contact {
 
-/// Parameters of the contact law in addition to the bearing and the oil. The same limits apply as
-/// in model files.
+/// Parameters of the contact law in addition to the bearing and the oil. The valid range of each
+/// parameter is the range of the corresponding key in a model file.
 struct ContactLaw {
   Inlet supply = Inlet::limited;
-  double replenishment = 0.0;        ///< K_rs of replenishment_factor() [1]; 0: no starvation
-  double inlet_over_b = unset;       ///< m of starvation_factors() [1]; NaN: the film is flooded
-  double boundary_friction = 0.10;   ///< friction coefficient μ of asperities [1]
-  double limiting_traction = 0.06;   ///< limiting traction coefficient Γ of the film [1]
-  double eyring_stress = 5.0 * MPa;  ///< Eyring stress τ0 of the oil [Pa]
+  double replenishment = 0.0;  ///< K_rs of replenishment_factor() [1]; 0: factor 1
+  /// Distance from the contact centre to the edge of the oil in the inlet, divided by b [1]: m of
+  /// starvation_factors(). NaN: the film is flooded.
+  double inlet_over_b = unset;
+  double boundary_friction = 0.10;         ///< friction coefficient μ of asperities [1]
+  double limiting_traction = 0.06;         ///< limiting traction coefficient Γ of the film [1]
+  double eyring_stress = 5.0 * MPa;        ///< Eyring stress τ0 of the oil [Pa]
   double composite_roughness = 0.05 * um;  ///< composite roughness Rq of race and ball [m]
   AsperityLaw asperities;
   double rolling_factor = 1.0;     ///< factor on the rolling resistance of the oil [1]
@@ -57,8 +59,8 @@ struct RaceFriction {
   /// surface speed of `motion` times the factor `film_speed` [1]. The factor 0 means standstill:
   /// asperities carry the whole load, there is no rolling resistance, and power divided by shaft
   /// speed is the friction moment in the limit of zero speed. At contact angles above a right
-  /// angle, the ball rolls in the opposite direction, with equal resistance. `centre` is described
-  /// at film_traction().
+  /// angle, the ball rolls in the opposite direction, with equal resistance. `centre` is the
+  /// start value for the slip at the contact centre and receives the solution, see film_traction().
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
     const ContactFriction c = film(load, motion, film_speed);
@@ -261,7 +263,7 @@ template <typename Contacts, typename Look>
 ///           accuracy is given at film_traction(). The friction of a bearing at speed is uncertain
 ///           by +-40 %, because oil supply and heating of the inlets are not known well. Flooded
 ///           inlets give 32 to 55 % more friction than inlets with limited oil supply. The computed
-///           ratio of the friction of two bearings is much more accurate.
+///           ratio of the friction of two bearings is much more accurate than the friction of each.
 /// The argument `look` is described at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,

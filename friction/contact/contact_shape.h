@@ -54,8 +54,11 @@ struct ContactMotion {
 ///   u_i = (ω - ω_m)(d_m - D cos αi)/2,   u_o = ω_m (d_m + D cos αo)/2
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
-/// Source: derived. ω is the shaft speed; bearing/kinematics.h defines ω_R, ω_m, β and the spin
-///         speeds. The formulas are valid for inner and outer race control.
+/// Source: derived. ω is the shaft speed, ω_m the orbital speed of the ball, ω_R the rotation of
+///         the ball relative to the cage, and β the angle between its axis and the bearing axis;
+///         see bearing/kinematics.h, also for the spin speeds. αi and αo are the contact angles,
+///         d_m is the pitch diameter and D the ball diameter. The formulas are valid for inner and
+///         outer race control.
 struct BallMotion {
   ContactMotion inner, outer;
 };

@@ -111,14 +111,13 @@ struct AsperityLaw {
   double B = 1.8, C = 1.2;
 };
 
-/// Share of the load that asperities carry [1]: 1 at standstill, 0 on a full film.
+/// Share of the load that asperities carry [1]: 1 at standstill, near 0 on a full film.
 ///
 ///   φ = exp(-B Λ^C)
 ///
-/// Source:   [ZhouHoeprich1991], not checked against the print. The form of the formula comes from
-///           a published simulation of roller bearings, with B = 2.32 and C = 0.97 for its
-///           raceways. B and C depend on the surface finish. The defaults 1.8 and 1.2 are from
-///           memory.
+/// Source:   [ZhouHoeprich1991], not checked against the print. The formula was read in a published
+///           simulation of roller bearings, which uses B = 2.32 and C = 0.97. B and C depend on the
+///           surface finish. The defaults 1.8 and 1.2 are from memory.
 /// Domain:   Λ >= 0. Accuracy: near Λ = 1, φ of different surface finishes differs by a factor of
 ///           2.
 [[nodiscard]] inline double asperity_share(double film_ratio, const AsperityLaw& law = {}) {

@@ -30,14 +30,14 @@ struct OilDefaults {
   double density_15C;           ///< ρ15, density at 15 °C [kg/m³]
   double conductivity;          ///< k_f, thermal conductivity [W/(m K)]
   double limiting_traction;     ///< largest shear stress of the film divided by pressure [1]
-  double pressure_viscosity_s;  ///< s of pressure_viscosity() [1/GPa]
-  double pressure_viscosity_t;  ///< t of pressure_viscosity() [1]
+  double pressure_viscosity_s;  ///< s in α = s ν^t, with ν in mm²/s [1/GPa]
+  double pressure_viscosity_t;  ///< t in α = s ν^t [1]
 };
 
 /// Returns the default properties of a type of oil.
 ///
-/// Source:   textbook values of each type, s and t by [Gold2001]. All values are from memory and
-///           were not checked against a print.
+/// Source:   textbook values of each type; s and t of the pressure-viscosity coefficient by
+///           [Gold2001]. All values are from memory and were not checked against a print.
 /// Accuracy: density 3 %, conductivity and pressure-viscosity coefficient 15 %, limiting traction
 ///           30 %. At contact pressures below about 1.2 GPa, the limiting traction changes the
 ///           torque of a spindle bearing by less than 0.1 %.
@@ -72,8 +72,8 @@ inline constexpr double density_slope = 6.5e-4;
 ///   α = s ν^t,   α [1/GPa], ν [mm²/s]; the code converts these units
 ///
 /// Source:   [Gold2001], from memory, not checked against the print. Domain: ν > 0.
-/// Accuracy: α is accurate to 15 % for oils of one type. This error changes the friction by at most
-///           4 %.
+/// Accuracy: α is accurate to 15 % for oils of one type. This error changes the friction of a
+///           bearing by at most 4 %.
 [[nodiscard]] inline double pressure_viscosity(OilType type, double kinematic_viscosity) {
   const OilDefaults oil = oil_defaults(type);
   return oil.pressure_viscosity_s *
@@ -90,7 +90,8 @@ struct OilState {
   double conductivity = unset;         ///< k_f [W/(m K)]
 };
 
-/// Properties of an oil in addition to its viscosities. NaN stands for the default of the oil type.
+/// Properties of an oil in addition to its viscosities. For NaN, oil_state() uses the default of
+/// the oil type.
 struct OilData {
   OilType type = OilType::mineral;
   double density_15C = unset;         ///< [kg/m³]

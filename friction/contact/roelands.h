@@ -10,8 +10,9 @@ namespace raceway::friction::contact {
 ///
 ///   η(p) = η0 exp(L ((1 + p/1.96e8)^Z - 1)),   L = ln η0 + 9.67,   Z = α 1.96e8/L
 ///
-/// The slope of ln η at zero pressure is α, as in Barus' law. Above about 0.1 GPa the viscosity
-/// rises more slowly than in Barus' law.
+/// η0 is the viscosity at ambient pressure and α the pressure-viscosity coefficient. The slope of
+/// ln η at zero pressure is α, as in Barus' law. Above about 0.1 GPa the viscosity rises more
+/// slowly than in Barus' law.
 /// Source:   Roelands 1966, also in textbooks such as [Hamrock1994]; neither was checked. The
 ///           formula was read in a published report on roller bearings.
 /// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has a pole. If η0 is

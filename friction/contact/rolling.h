@@ -7,7 +7,7 @@
 
 namespace raceway::friction::contact {
 
-/// Oil supply of the contact inlets.
+/// Oil supply of the contact inlets: flooded, or limited to the oil that the preceding ball leaves.
 enum class Inlet { flooded, limited };
 
 /// A loaded contact for rolling_force(): its inlet and its ellipse.
@@ -24,6 +24,8 @@ struct RollingEllipse {
 ///
 ///   M = β^0.25 κ W/U^0.75,   β = (4/π) E(k)/(1 + R_x/R_z),   κ = b/a,
 ///   U = 2 η u/(E' R_x),   W = Q/(E' R_x²)
+///
+/// RollingEllipse and RollingInlet describe the other symbols.
 [[nodiscard]] inline double moes_load(const RollingEllipse& c) {
   const RollingInlet& i = c.inlet;
   const double U = 2.0 * i.viscosity * i.speed / (i.modulus * i.radius_along);

@@ -80,7 +80,7 @@ struct FilmShear {
   }
 };
 
-/// Dry friction, τ = μ p v/sqrt(v² + ε²): the limit of FilmShear at φ = 1. Tests use this law,
+/// Dry friction, τ = μ p v/sqrt(v² + ε²): equal to FilmShear at φ = 1. Tests use this law,
 /// because it gives the traction of a contact in closed form for simple slip fields.
 struct CoulombShear {
   double friction_coefficient;  ///< μ [1]
@@ -99,8 +99,8 @@ struct CoulombShear {
   }
 };
 
-/// A film of constant viscosity, τ = η v/h: the limit of FilmShear at small v. Tests use this law,
-/// because it gives the traction of a contact in closed form for simple slip fields.
+/// A film of constant viscosity, τ = η v/h: the limit of FilmShear at φ = 0 and small v. Tests use
+/// this law, because it gives the traction of a contact in closed form for simple slip fields.
 struct NewtonShear {
   double viscosity;  ///< η [Pa s]
   double film;       ///< film thickness h [m]

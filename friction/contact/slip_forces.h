@@ -45,7 +45,8 @@ struct SlipForces {
 class SlippingContact {
  public:
   SlippingContact() = default;
-  /// Uses only the load and the half axes of `ellipse`. `pressed_radius` is R of ContactShape [m].
+  /// Uses only the load and the half axes of `ellipse`. `pressed_radius` is the radius R of the
+  /// deformed contact across rolling [m].
   SlippingContact(const SlidingEllipse& ellipse, const FilmShear& shear, double pressed_radius);
 
   [[nodiscard]] SlipForces forces(const SlipMotion& motion) const;

@@ -18,8 +18,8 @@ struct SlidingEllipse {
   double load = unset;             ///< Q [N]
   double semi_major_axis = unset;  ///< a, along y [m]
   double semi_minor_axis = unset;  ///< b, along x [m]
-  /// Coefficient of the differential slip by rolling in a groove, ω_roll/(2 R), with R of
-  /// ContactShape [1/(m s)].
+  /// Coefficient of the differential slip by rolling in a groove, ω_roll/(2 R) [1/(m s)]. ω_roll is
+  /// the relative rotation about the y axis, R the radius of the deformed contact across rolling.
   double differential = 0.0;
   double spin = 0.0;  ///< ω_s, rotation about the normal [rad/s]
 
@@ -50,9 +50,9 @@ struct TractionSums {
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x,   τ = τ(p, |v|) v/|v|
 ///
-/// v is the sliding velocity and τ the shear stress at a point. One integral includes spin,
-/// differential and gyroscopic sliding, because their friction forces cannot be computed separately
-/// and added.
+/// v is the sliding velocity and τ the shear stress at a point. SlidingEllipse describes the
+/// rotations ω_roll and ω_s and the radius R. One integral includes spin, differential and
+/// gyroscopic sliding, because their friction forces cannot be computed separately and added.
 /// Source:   derived. With dry friction, pure spin gives the moment (3/8) μ Q a E(k) of
 ///           [Harris2006, vol. 2, ch. 5], and pure differential sliding gives the power 0.1611 μ Q
 ///           ω_roll a²/(2 R).
@@ -67,9 +67,10 @@ class TractionField {
       points_[i] = shear.at_pressure(ellipse.peak_pressure() * grid().s[i]);
   }
 
-  /// If `whole` is true, the sums include both halves of the ellipse. If `whole` is false, v_y0
-  /// must be 0; the other half is then the mirror image, with equal force along rolling and no net
-  /// force across.
+  /// Returns the sums over the whole ellipse. If `whole` is true, the function computes both
+  /// halves. If `whole` is false, it computes one half and doubles the sums. v_y0 must then be 0,
+  /// so that the other half is the mirror image, with equal force along rolling and opposite force
+  /// across.
   [[nodiscard]] TractionSums sums(const CentreSlip& centre, bool whole) const {
     const TractionSums right = half(centre, 1.0);
     if (whole) return added(right, half(centre, -1.0));
@@ -149,10 +150,11 @@ struct GrowingValue {
   double value, slope, size;
 };
 /// Finds the zero of an increasing function by Newton's method inside the bracket from `low` to
-/// `high`. `value(v)` returns a GrowingValue. Bisection replaces a step that does not halve the
-/// value, because dry friction changes direction within about a millionth of the rolling speed. The
-/// search ends if |value| <= tolerance * size, or if the bracket has shrunk to `tolerance` times
-/// its initial width. Returns false if neither happens within 200 steps.
+/// `high`. `value(v)` returns a GrowingValue. `v` is the start value and receives the zero.
+/// Bisection replaces a step that does not halve the value, because dry friction changes direction
+/// within about a millionth of the rolling speed. The search ends if |value| <= tolerance * size,
+/// or if the bracket has shrunk to `tolerance` times its initial width. Returns false if neither
+/// happens within 200 steps.
 template <class Value>
 [[nodiscard]] bool find_zero(const Value& value, double low, double high, double& v,
                              double tolerance = 1e-11) {
@@ -174,7 +176,8 @@ template <class Value>
 
 /// Finds the slip v_x0 along rolling at the contact centre for which the contact rolls freely, Σ
 /// τ_x = 0. The slip v_y0 across rolling is given. v_x0 lies between -ω_roll a²/(2 R) and 0,
-/// because rolling drags the edges of the ellipse forward. Returns false if the search fails.
+/// because differential slip is forward at the ends of the ellipse. Returns false if the search
+/// fails.
 template <class Field>
 [[nodiscard]] bool find_free_rolling(const Field& field, bool whole, CentreSlip& slip) {
   const SlidingEllipse& e = field.ellipse();
@@ -217,8 +220,8 @@ template <class Field>
 
 /// Traction of a freely rolling contact that creeps transversely until it balances a force T: Σ τ_x
 /// = 0, Σ τ_y = T [N]. The search does not converge if no slip up to 1 km/s balances T. Do not use
-/// this function for the gyroscopic moment of a ball under race control, which a film cannot
-/// balance.
+/// this function for a ball under race control, because traction in a film cannot balance the
+/// gyroscopic moment of such a ball.
 template <class Field>
 [[nodiscard]] Traction holding_traction(const Field& field, double force) {
   if (force == 0.0) return rolling_traction(field);

@@ -12,7 +12,8 @@
 namespace raceway::friction::contact {
 
 /// Unknowns of the solver [m/s]: slips v_i and v_o along rolling at the inner and outer contact
-/// centre, slip across rolling (equal at both contacts), and ω_R sin β times TurningBall::length().
+/// centre, slip across rolling (equal at both contacts), and the radial component ω_R sin β of the
+/// ball rotation times TurningBall::length().
 using Slips = std::array<double, 4>;
 
 /// One ball between its races: computes the speeds of the ball from four given slips, and the
@@ -76,7 +77,7 @@ class TurningBall {
   /// Forces at given slips, with their derivatives for the Newton step.
   struct Look {
     SlipForces inner, outer;
-    std::array<double, 4> missing;  ///< imbalances [N]
+    std::array<double, 4> missing;  ///< net force along each of the four Slips; 0 in balance [N]
     double size;                    ///< Σ|τ| of both contacts [N]
     [[nodiscard]] double largest() const {
       double most = 0.0;
@@ -146,8 +147,8 @@ class TurningBall {
     return (speed_ - cage) * inner_radius_;
   }
   [[nodiscard]] double outer_surface_speed(double cage) const { return cage * outer_radius_; }
-  /// Slips of a ball that rolls without gyroscopic creep. `pitch` is tan β of its
-  /// rotation axis.
+  /// Slips of a ball that rolls without gyroscopic creep. `pitch` is tan β, where β is the angle
+  /// between the rotation axis of the ball and the bearing axis.
   [[nodiscard]] Slips rolling(double pitch) const {
     const double across =
         pitch * rolling_cage_speed(pitch) * outer_radius_ / (half_ * (co_ + pitch * so_));

@@ -17,12 +17,13 @@ struct KernelRace {
   bool flooded, starves;  ///< true if inlets are flooded; true if inlet_over_b is given
   // Shape of the contact, see ContactShape.
   double unit_major_axis, ellipse_ratio, pressed_radius;
-  // isothermal_film(): h = factor · (η u)^n α^m Q^-q. asperity_share(): roughness, B and C.
+  // Factors of the film thickness h = factor · (η u)^n α^m Q^-q in isothermal_film(); composite
+  // roughness, and B and C of asperity_share().
   double central_factor, minimum_factor, roughness, asperities_B, asperities_C;
-  // starvation_factors(): m - 1, and the factors of m* - 1 = factor · (h/b²)^n.
+  // m - 1 of starvation_factors(), and the factors of m* - 1 = factor · (h/b²)^n.
   double inlet_excess, starved_central, starved_minimum;
-  // rolling_force(): factors of IVR, EHL and M, whose powers of U, W and G are as in the law.
-  // Factors of ContactLaw on rolling resistance and hysteresis.
+  // Factors of IVR, EHL and M in rolling_force(), without the powers of η, u, α and Q. Factors of
+  // ContactLaw on rolling resistance and hysteresis.
   double rigid_factor, elastic_factor, moes_factor, rolling_factor, hysteresis_factor;
   // Constants of FilmShear and Roelands.
   double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
@@ -42,7 +43,8 @@ struct ContactBlock {
   alignas(64) double load[contacts_of_block], speed[contacts_of_block], rolling[contacts_of_block],
       spin[contacts_of_block], viscosity[contacts_of_block],
       pressure_viscosity[contacts_of_block], loading[contacts_of_block], supply[contacts_of_block];
-  // Powers [W]; h_min [m]; Σ|τ|/Q, Σ p |v|/Q [m/s]; 1 if the sliding solution was found, else 0.
+  // Results of each contact: power losses [W]; minimum film h_min [m]; Σ|τ|/Q [1], Σ p |v|/Q [m/s];
+  // 1 if the sliding solution was found, else 0.
   alignas(64) double sliding[contacts_of_block], rolled[contacts_of_block],
       hysteresis[contacts_of_block], film[contacts_of_block], friction[contacts_of_block],
       slip[contacts_of_block], found[contacts_of_block];

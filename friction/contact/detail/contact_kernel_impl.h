@@ -35,7 +35,7 @@ template <class D>
 }
 
 /// Computes film, rolling and hysteresis of one vector of contacts from index `at`, and the shear
-/// law of each contact at each pressure.
+/// law of each contact at the pressure of each integration ring.
 template <class D>
 void roll_in(const KernelRace& race, bool spins, std::size_t at, ContactBlock& block,
              KernelSliding& sliding) {

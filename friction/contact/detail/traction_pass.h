@@ -45,9 +45,9 @@ struct PassSums {
 /// Friction mechanisms in a contact: film, asperities or both.
 enum class Rubbing { film, asperities, both };
 
-/// The kernels of one instruction set. `search` computes `along`, `slope` and `force` in single
-/// precision. `sum` computes all values in double precision; its slope is only accurate enough for
-/// a search.
+/// The kernels of one instruction set. `stresses` computes the shear law of each ring. `search`
+/// computes `along`, `slope` and `force` in single precision. `sum` computes all values in double
+/// precision; its slope is only accurate enough for a search.
 struct TractionKernel {
   void (*stresses)(const CirclePoints<double>&, const RingPressures&, RingStresses<double>&,
                    RingStresses<float>&);
