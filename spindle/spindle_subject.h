@@ -25,9 +25,10 @@ class SpindleSubject : public model::ModelSubject {
   /// these time steps is repeated with its own step sizes.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   /// Returns a predictor that simulates every run on its own. A run starts at its ambient
-  /// temperature. If the thermometers show that the first run of a record began warm
-  /// (find_warm_start()), this run starts from the warm state. If the displacement was set to zero
-  /// in this warm state, the mean error of the run is subtracted from the predicted displacement.
+  /// temperature, with one exception: if the thermometers show that the first run of a record, or
+  /// of a part of a joined record, began warm (find_warm_start()), this run starts from the warm
+  /// state. If the displacement was set to zero in this warm state, the mean error of the run is
+  /// subtracted from the predicted displacement.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;

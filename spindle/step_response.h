@@ -90,8 +90,8 @@ struct StepOptions {
 
 /// Simulates load steps [N] at each of these speeds [rad/s]. Each step starts from the steady state
 /// without the load. The lags are fitted to the displacement minus the immediate displacement at
-/// t = 0. The power in a response is the friction loss of all bearings, not its increase by the
-/// load.
+/// t = 0. `power_start` and `power_end` of a response are the total friction loss of all bearings,
+/// not only its increase by the load.
 ///
 /// Throws std::invalid_argument like step_responses(), and for loads that are 0 or not in ascending
 /// order.
