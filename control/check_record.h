@@ -35,9 +35,8 @@ namespace raceway::control {
 [[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
                                                       const record::Record& record);
 
-/// If a temperature is constant for a long time in the record, increases the time after which the
-/// program reports the sensor as stuck (allow_to_stand()). Returns one sentence for each changed
-/// input.
+/// Calls allow_to_stand() for every input of the plan, with the longest time for which the input is
+/// constant in the record. Returns one sentence for each changed input.
 [[nodiscard]] std::vector<std::string> allow_still_sensors(ControlPlan& plan,
                                                            const record::Record& record);
 

@@ -78,10 +78,10 @@ struct ControlDrive {
   /// Indices of the inputs that supply loads and temperature for the table of a power; `nowhere` if
   /// no input does.
   std::size_t axial_load = nowhere, radial_load = nowhere, temperature = nowhere;
-  double temperature_C = unset;            ///< temperature for the table if no input supplies it
-  std::size_t table = nowhere;             ///< index of the table, for `power`
-  double exponent = 1.0;                   ///< exponent, for `size`
-  double decay_rpm = unset;                ///< n0, for `motor`
+  double temperature_C = unset;  ///< temperature for the table if no input supplies it [C]
+  std::size_t table = nowhere;   ///< index of the table, for `power`
+  double exponent = 1.0;         ///< exponent of a speed, for `size` [1]
+  double decay_rpm = unset;      ///< n0, for `motor`
   double lowest = unset, highest = unset;  ///< range of a power in the training data [W]
   std::string unit{};                      ///< unit of u, such as "K"
   /// Index of the input on which the window depends: the position of a machine axis. The window is
@@ -100,7 +100,8 @@ struct ControlSection {
   double time_constant_s = unset;
   bool straight = false;  ///< true: u is linear between samples; false: u is constant
   /// The section adds (1 - direct) s + direct gain u to the displacement, with its state s.
-  /// `direct` is above 0 only with the effect sensor-lag [1].
+  /// `direct` is the time constant of the sensor divided by `time_constant_s` [1]: see the effect
+  /// sensor-lag. Without this effect, it is 0.
   double direct = 0.0;
   /// Factors on the gain and on the time constant while coolant_on is 0.
   double off_gain = 1.0, off_time_constant = 1.0;
@@ -147,7 +148,7 @@ struct ControlFeedthrough {
 struct ControlEquation {
   std::string channel{};
   std::size_t drive = nowhere;
-  double scale = 1.0;         ///< factor of y [1]
+  double scale = 1.0;         ///< factor that multiplies y in the displacement [1]
   double sampling_s = unset;  ///< sampling interval; equal in all equations of a plan
   std::vector<double> numerator{},
       denominator{};  ///< numerator: [um] per unit of the drive; denominator: [1], of equal length

@@ -45,16 +45,16 @@ struct ControlSettings {
   /// Letter of the axis. If it is empty, the column gives the letter: z for displacement_z_um.
   ByColumn<std::string> axis{};
   // Settings of inputs, by their column.
-  /// Plausible range of an input. `all` applies to temperatures only. The limit of other inputs is
-  /// 10 times their largest absolute value in the data of the fit, unless `columns` gives their
-  /// range.
+  /// Plausible range of an input. `all` applies to temperatures only. For another input that
+  /// `columns` does not name, the limit is 10 times its largest absolute value in the data of the
+  /// fit; coolant_on has no limit.
   ByColumn<ControlLimits> plausible{
       {-40.0, 150.0}, {}};  ///< `all`: limits of temperatures that `columns` does not name [°C]
   /// Largest allowed change of an input per second; 0: not checked. `all` applies to temperatures
-  /// only.
+  /// only. Other inputs are checked only if `columns` names them.
   ByColumn<double> fastest_per_s{1.0};
   /// Longest allowed time without a change of an input [s]; 0: not checked. `all` applies to
-  /// temperatures only.
+  /// temperatures only. Other inputs are checked only if `columns` names them.
   ByColumn<double> stuck_s{3600.0};
   /// Time constant of a filter on an input [s]; 0: no filter. Only contributions without a lag use
   /// the filtered input.

@@ -57,12 +57,14 @@ struct TableCoordinate {
 struct Input {
   std::string name{};                     ///< name in the model file: "power_W", or a column
   std::vector<const Channel*> columns{};  ///< the mean of these columns is the input
-  /// Temperature whose change since the first row is subtracted.
+  /// Temperature whose change since the first row is subtracted from the input; null: none.
   const Channel* reference = nullptr;
   /// Exponent for a speed n: the input is n (n/1000 rpm)^(exponent - 1). An exponent above 1
   /// describes heat that rises faster than n.
   double exponent = 1.0;
-  Interval seen{};  ///< speed range of the fit [SI]; continued() extrapolates above it
+  /// Speed range of the fit [SI]. Above this range, continued() extrapolates the power law of
+  /// `exponent`.
+  Interval seen{};
   /// Friction table of a power input. The power is the torque from the table times the speed.
   std::shared_ptr<const FrictionTable> table{};
   TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other axes of `table`
@@ -72,7 +74,7 @@ struct Input {
   std::vector<double> formula_values{};
 
   [[nodiscard]] bool is_power() const { return table != nullptr; }
-  /// Returns true if the channel has no input.
+  /// Returns true if no column, friction table or formula defines the input.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
   /// Returns the unit of the input to which gains refer: unit() in the form for text, such as "K"
   /// or "m/min", and key_unit() in the form for keys, such as "K" or "m_min". factor() returns the
@@ -163,8 +165,8 @@ struct Left {
   double correlation_time = unset;  ///< correlation time of the residual [s]
 };
 
-/// Errors of a fitted model on readings that the fit did not use. trust_of() rates the model from
-/// them.
+/// Error of a fitted model on readings that the fit did not use, and properties of the readings.
+/// trust_of() rates the model from them.
 struct Evidence {
   double error = unset;  ///< rms error on readings that the fit did not use; NaN without them [m]
   /// Rms of the readings after the mean of each run is subtracted [m].

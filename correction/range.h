@@ -30,8 +30,8 @@ void forget_what_was_seen(Model& model);
 [[nodiscard]] Interval seen_of(const Model& model, const Channel& column);
 [[nodiscard]] Interval seen_speed(const Model& model);
 [[nodiscard]] Interval seen_power(const Model& model, const DrivenChannel& channel);
-/// Returns the range of the input of a delay element in the data of the fit, in W or in the unit of
-/// its column. The range is unbounded if it is unknown.
+/// Returns the range of the input of a delay element in the data of the fit [W for a power, else
+/// the unit of the input's column]. The range is unbounded if it is unknown.
 [[nodiscard]] Interval seen_by_element(const Model& model, const DrivenChannel& channel);
 
 /// Distance d of inputs x from their mean in the data of the fit [1]. x has the order of

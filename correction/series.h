@@ -18,10 +18,12 @@ namespace raceway::correction {
 struct Answer {
   double sensor_time_constant = 0.0;  ///< time constant of the sensor [s]: see effects/sensor_lag.h
   double off_gain = 1.0, off_time_constant = 1.0;  ///< factors on gain and τ while coolant_on is 0
-  /// Parameters s and g of effects/speed_dependent_time_constant.h.
+  /// At the speed n, τ is multiplied by f = 1/(1 + speed_factor n/10 000 rpm), and the gain is
+  /// multiplied by f^gain_power: see effects/speed_dependent_time_constant.h [1].
   double speed_factor = 0.0, gain_power = 1.0;
   double falling = 1.0;  ///< factor on τ while the input is below the state of the lag
-  Interval speed{};      ///< speed range of the fit [rpm]; see continued()
+  /// Speed range of the fit [rpm]. Beyond this range, continued() extrapolates these two factors.
+  Interval speed{};
 
   [[nodiscard]] bool is_plain() const {
     return sensor_time_constant == 0.0 && off_gain == 1.0 && off_time_constant == 1.0 &&

@@ -23,10 +23,12 @@ struct StepResponse {
   std::vector<Part> parts{};
   double at_once = 0.0;               ///< instant displacement [m]
   double sensor_time_constant = 0.0;  ///< time constant of the effect sensor-lag [s]
-  /// Displacement at each sample [m]. For published coefficients, this list replaces `parts`.
+  /// Displacement at time steps of `sampling`, the first at time 0 [m]. For published coefficients,
+  /// this list replaces `parts`.
   std::vector<double> sampled{};
-  double sampling = unset;  ///< time between samples [s]
-  /// Effects that change the response at other speeds, during cooling, or with the coolant off.
+  double sampling = unset;  ///< time between two values of `sampled` [s]; NaN without them
+  /// Ids of effects that change the response at other speeds, while the machine cools down, or with
+  /// the coolant off.
   std::vector<std::string> changed_by{};
 };
 

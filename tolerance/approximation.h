@@ -10,10 +10,11 @@
 #include "fit/separable.h"
 #include "fit/subject.h"
 
-/// Fits models that only approximate the readings (Subject::approximates()).
+/// Fits models of displacements and temperatures over time. Even with additional effects, the
+/// residual of such a model is larger than the sensor noise (Subject::approximates()).
 namespace raceway::tolerance {
 
-/// Record and means of its readings, prepared for the fit of a model that only approximates them.
+/// Record with means of neighbouring readings, prepared for a fit by approximate().
 struct Recorded {
   std::shared_ptr<const record::Record> record{};
   std::shared_ptr<const void> prepared{};  ///< result of Subject::prepare()
@@ -43,8 +44,8 @@ struct Approximation {
   /// `rms` and `rms_held_out` for the means of each channel of Subject::measured(); NaN for a
   /// channel without means.
   std::vector<double> channel_rms{}, channel_held_out{};
-  /// Variance of the weighted residual of a mean, which is the weight w of priors in
-  /// fit::Separable; 0 without priors.
+  /// Variance of the weighted residual of a mean. The fit multiplies the squared deviations of
+  /// parameters from their priors by this variance, w in fit::Separable; 0: priors are not used.
   double prior_weight = 0.0;
   /// Parameters that stay at their priors, because the record does not determine them. `names` does
   /// not contain them.
@@ -94,10 +95,10 @@ void require_fit(const Approximation& approximation);
 /// runs through all rows, also through the rows of the held-out block.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
-/// Repeats the fit on individual rows instead of means, starting from the previous result. The
-/// ridge of fit::Separable is reduced from 1e-6 to 1e-12. If the parameters then diverge, the
-/// function fits again with 1e-6. For more than 20 000 rows, it fits means. `rows` receives the
-/// fitted rows or means.
+/// Repeats the fit on individual rows instead of means, starting from `approximation`. The ridge of
+/// fit::Separable is reduced from 1e-6 to 1e-12. If the parameters then diverge, the function fits
+/// again with 1e-6. For more than 20 000 rows, it fits means. `rows` receives the fitted rows or
+/// means.
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 

@@ -8,10 +8,11 @@
 #include "verdict/add.h"
 #include "verdict/diagnose.h"
 
-/// Calibrates and diagnoses models that only approximate the readings (Subject::approximates()),
-/// and adds effects to them. The held-out error is compared with the tolerance of the user. The
-/// residual of these models always exceeds the sensor noise and is correlated in time, so a model
-/// would never pass a test against noise. Call these functions through loop/loop.h.
+/// Calibrates and diagnoses models of displacements and temperatures over time
+/// (Subject::approximates()), and adds effects to them. The held-out error is compared with the
+/// tolerance of the user. The residual of these models always exceeds the sensor noise and is
+/// correlated in time, so a model would never pass a test against noise. Call these functions
+/// through loop/loop.h.
 namespace raceway::tolerance {
 
 /// Diagnoses a model on means over a minute or more. All errors below are held-out errors. An error

@@ -6,7 +6,8 @@
 
 #include "control/plan.h"
 
-/// Names of the numbers of a ControlPlan in a table of coefficients, for its writer and its reader.
+/// Names of the numbers and texts of a ControlPlan in a table of coefficients. control_csv() writes
+/// this table, and read_control_table() reads it.
 namespace raceway::control {
 
 template <typename Part>

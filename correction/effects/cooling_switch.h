@@ -5,8 +5,8 @@
 
 namespace raceway::correction {
 
-/// While the coolant is off, the gain and the time constant of a channel's lags are multiplied by
-/// ratios.
+/// While the coolant is off, the gains and the time constants of a channel's lags are multiplied by
+/// two ratios, the parameters of the effect.
 struct CoolingSwitch final : EffectKind {
   static constexpr record::NumberCard gain_ratio{"gain_ratio", "1", 1.0, 0.1, 10, 0.1, 10, 1.0};
   static constexpr record::NumberCard time_ratio{

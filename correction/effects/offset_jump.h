@@ -42,7 +42,8 @@ struct OffsetJump final : EffectKind {
     if (!is_time(number)) return {};
     return {in.jump_times.begin(), in.jump_times.end()};
   }
-  /// Returns true for the second and third jump, which a model file may omit.
+  /// Returns true for the size of the second and of the third jump: a model file may omit this jump
+  /// and the jump after it.
   [[nodiscard]] bool may_end_before(std::size_t number) const override {
     return number > 0 && !is_time(number);
   }

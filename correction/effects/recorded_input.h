@@ -11,8 +11,8 @@
 namespace raceway::correction {
 
 /// A recorded quantity that is not an input of the model moves the machine. The displacement
-/// follows its column with a gain and a first-order lag. An axis position is not a heat source, so
-/// it has a gain but no lag. If all temperature inputs of the model have one common reference
+/// follows this quantity with a gain and a first-order lag. An axis position is not a heat source,
+/// so it has a gain but no lag. If all temperature inputs of the model have one common reference
 /// temperature, this reference is subtracted from a temperature column. An axis position can also
 /// define a window. In the window, the displacement follows the input of a channel with an
 /// additional gain and lag. Five windows within the recorded range of the position are tried.
