@@ -204,7 +204,7 @@ TEST(Simulator, GoesOnFromTheSteadyStateWithTheWholeDriftOfTheMachine) {
   const Moment steady = simulator.steady(inputs, report);
   const State state = simulator.state();
   const std::vector<ProfileRow> hour{{.time = 3600.0, .inputs = inputs}};
-  const Run run = simulator.simulate(hour, &state);
+  const auto run = simulator.simulate(hour, &state);
   ASSERT_TRUE(report.converged() && run.report.converged());
   EXPECT_NEAR(run.moments[0].displacement, steady.displacement, 1e-4 * steady.displacement);
 }
