@@ -67,7 +67,7 @@ struct CatalogueBearing {
 [[nodiscard]] std::vector<CatalogueBearing> matching_bearings(
     const std::vector<CatalogueBearing>& rows, std::string_view filter);
 
-/// Returns the row with this name; null if there is none.
+/// Returns the row with this name, compared as in find_bearing(); null if there is none.
 [[nodiscard]] const CatalogueBearing* known_bearing(const std::vector<CatalogueBearing>& rows,
                                                     std::string_view name);
 

@@ -83,8 +83,10 @@ struct ColumnMap {
   std::vector<ColumnRule> rules{};
   char decimal_mark = '\0';                     ///< decimal mark of the file; '\0': not given
   std::optional<text::DateOrder> date_order{};  ///< order of day and month in dates with slashes
-  std::optional<record::SettingsHold> settings_hold{};  ///< only for a time record
-  std::vector<Combination> transducers{};               ///< only for a time record
+  /// Time interval in which the settings of a row, such as the speed, are valid. Only for a time
+  /// record; if it is not given, SettingsHold::sampled is used.
+  std::optional<record::SettingsHold> settings_hold{};
+  std::vector<Combination> transducers{};  ///< only for a time record
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
   /// Returns the transducer in [transducers] with this name and any unit of length, such as "x1_um"

@@ -17,7 +17,7 @@ struct CorrectionFile {
   std::vector<correction::Model> models;
   std::string source;                     ///< file name, for messages
   std::string text;                       ///< text of the file, for editing
-  std::vector<UsedDefault> defaults{};    ///< all defaults that were used
+  std::vector<UsedDefault> defaults{};    ///< defaults used, and values marked as assumed
   std::vector<record::Note> notes{};      ///< other notes for the user
   ColumnMap columns{};                    ///< rules for the columns of measurements
   correction::ControlSettings control{};  ///< settings for the machine control from [export]

@@ -25,9 +25,9 @@ namespace raceway::files {
 /// kept have no influence. With `options.drop_nan`, rows with empty cells are omitted.
 ///
 /// Throws InputError if a required column is missing, if there is no measured column, if a column
-/// name looks misspelt, if a coast-down gives no torque, and for cells that are empty, not numbers
-/// or outside the allowed range. One message shows the first ten invalid cells and counts the
-/// others.
+/// name looks misspelt, if a coast-down gives no torque, and for cells that are empty (with the
+/// exceptions above), not numbers or outside the allowed range. One message shows the first ten
+/// invalid cells and counts the others.
 [[nodiscard]] record::Record read_record(const Source& source, const model::ModelSubject& subject,
                                          const ReadOptions& options = {});
 

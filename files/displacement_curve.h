@@ -24,8 +24,8 @@ struct DisplacementCurve {
 /// columns and rows.
 ///
 /// Throws InputError like read_csv(), if `speed_rpm` or `axial_displacement_um` is missing, and if
-/// cells of the three columns are empty, not numbers or outside the allowed range. One message
-/// shows the first ten faulty cells and gives the number of the others.
+/// cells of these columns in the other rows are empty, not numbers or outside the allowed range.
+/// One message shows the first ten faulty cells and gives the number of the others.
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 

@@ -28,7 +28,7 @@ struct ModelFile {
   /// default or the catalogue. Keys in [lubricant] and [bearing] that only the contact law uses are
   /// listed with any value.
   std::vector<std::string> written = {};
-  /// All defaults that were used.
+  /// All defaults that were used, and the values that the file marks as assumed or estimated.
   std::vector<UsedDefault> defaults;
   /// Other notes, one line each, without the name of the file.
   std::vector<record::Note> notes = {};

@@ -14,8 +14,9 @@ namespace raceway::files {
 /// calculations, and a note lists them.
 ///
 /// An empty cell of a displacement is a missing reading. Empty cells of an input are filled from
-/// its other values (files/detail/filled_inputs.h). Only the displacements in `wanted` are kept;
-/// all of them if `wanted` is empty.
+/// its other values, as far as possible (files/detail/filled_inputs.h). If cells of an input remain
+/// empty, these rows or the whole column are not used, and a note says so. Only the displacements
+/// in `wanted` are kept; all of them if `wanted` is empty.
 ///
 /// Throws InputError if time_s is missing or does not rise within a run, if a column of `needed` is
 /// missing, if a column name looks misspelt, for an empty cell of another column, such as time_s,

@@ -19,9 +19,9 @@ struct BeamOfModel {
   spindle::SetsOfSpindle sets;
 };
 
-/// Returns the beam of a model with nodes at the bearings and at `load_place` [m]. Throws
-/// text::InputError if the model has no [shaft] with segments. Error messages begin with the name
-/// of the file.
+/// Returns the beam of a model with nodes at the bearings and at `load_place`, a distance behind
+/// the nose face [m]. Throws text::InputError if the model has no [shaft] with segments. Error
+/// messages begin with the name of the file.
 [[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
 /// Computes the bending of the shaft on all its bearings under the belt force and the nose loads in

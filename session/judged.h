@@ -23,9 +23,10 @@ namespace raceway::session {
 /// this function is called.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
-/// Returns a note if the preload is given as an offset or a class, which the interference in [seat]
-/// does not change without the effect interference-fit. Returns a warning if [seat] and the effect
-/// interference-fit have different interferences.
+/// Checks the seats of a spindle. Returns a note if the preload is given as an offset or a class
+/// and [seat] has an interference: without the effect interference-fit, this interference does not
+/// change the preload. Returns a warning if [seat] and the effect interference-fit have different
+/// interferences.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
 /// Returns only the findings with `is_warning`, as warnings.
@@ -39,9 +40,9 @@ namespace raceway::session {
                                     std::span<const shaft::ShaftPoint> points,
                                     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Compares the rows of the table of a bearing or of a shaft with the limits. The constructor finds
-/// the columns by their names. For roller bearings, only speed and lubricant temperature are
-/// compared.
+/// Compares the results of a Stribeck table or of solve_states(), row by row, with the limits. The
+/// constructor finds the columns by their names. For roller bearings, only speed and lubricant
+/// temperature are compared.
 class JudgedColumns {
  public:
   /// The model must live longer than this object.

@@ -18,8 +18,7 @@ struct LawFit {
   shaft::KinematicLawFit fit{};
   std::optional<results::LawAtSpeed> at{};
 
-  /// Describes the quality of the fit in one or two sentences. `table` names the table to use if
-  /// the fit is poor.
+  /// Describes the quality of the fit in one or two sentences. `table` is as in law_statement().
   [[nodiscard]] std::string statement(const std::string& table) const;
   [[nodiscard]] std::string json(const std::string& table) const;
 };

@@ -87,6 +87,7 @@ struct CheckedModel {
   LoopModel::About model{};
   record::Record data{};
   loop::Check check{};
+  /// Limits of the record for a correction: see LoopModel::over_time(). Empty for other models.
   std::optional<correction::RecordCheck> over_time{};
   std::vector<record::Note> notes{};  ///< notes on the model and the record
 

@@ -63,15 +63,17 @@ struct CompareOptions {
 struct FittedTexts {
   Names records{};  ///< names of the records; empty if one model covers all of them
   std::vector<std::string> texts{};
-  /// Names of model data that the fit corrected. If the list is not empty, the file has no
-  /// covariance.
+  /// Fitted parameters of effects that correct a value of the model file, such as a viscosity of
+  /// the oil. The file contains the corrected value in place of the effect. If the list is not
+  /// empty, the file has no covariance.
   Names corrected_data{};
-  /// Effects in the model that a file cannot express, with their parameters.
+  /// An effect that a Python or C++ program has defined and that a model file cannot express.
+  /// `values` are its parameters after the fit.
   struct OwnEffect {
     std::string id;
     std::vector<double> values;
   };
-  std::vector<std::vector<OwnEffect>> own_effects{};
+  std::vector<std::vector<OwnEffect>> own_effects{};  ///< effects that each text lacks
 };
 
 /// A model compared with a record.
@@ -93,7 +95,7 @@ class LoopModel {
   struct About {
     std::string source;  ///< file name, for messages
     std::string name;
-    std::vector<files::UsedDefault> defaults{};  ///< default values that were used
+    std::vector<files::UsedDefault> defaults{};  ///< defaults and assumed values that were used
     std::vector<record::Note> notes{};
     std::vector<files::NamedFile> files{};  ///< files that the model file names
   };
@@ -121,8 +123,8 @@ class LoopModel {
   /// name is ambiguous.
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
-  /// Sends notes on the comparison with another model, `first`. Throws text::InputError if the two
-  /// models cannot be compared.
+  /// Sends notes about differences from `first`, the first model of a comparison, such as another
+  /// [rig]. Throws text::InputError if the two models cannot be compared.
   virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
   /// Compares the model with a record, after a fit of the parameters named in `how` and
   /// `per_record`. Throws std::invalid_argument if the record does not allow the comparison.
@@ -174,8 +176,8 @@ class LoopModel {
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
 
-/// Opens the first correction of a file, for a request whose result is the same for all corrections
-/// of the file.
+/// Opens the first correction of a file, for a request that does not depend on the selected
+/// correction, such as suggested_columns().
 [[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
                                                              LoopOptions options);
 

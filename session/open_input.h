@@ -58,7 +58,8 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 
-/// Adds a note if all torques of the record have one unknown scale factor.
+/// Adds a note if all torques of the record have one unknown common factor, as in a coast-down of a
+/// rotor with unknown inertia.
 void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages);
 
 }  // namespace raceway::session

@@ -11,9 +11,9 @@ namespace raceway::session {
 
 /// Options of a command that reads measurements, such as `--columns map.toml` and `--drop-nan`.
 struct Reading {
-  std::string columns{};
-  std::string columns_text{};  ///< text of the column map, used instead of its file
-  bool drop_nan = false;
+  std::string columns{};              ///< file with a column map; empty: the map of the model
+  std::string columns_text{};         ///< text of the column map, used instead of its file
+  bool drop_nan = false;              ///< true: rows with an empty cell are omitted
   std::vector<std::string> beside{};  ///< further files with columns of the same time record
   Period period{};                    ///< period of readings; only for time records
   bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown

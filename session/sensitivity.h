@@ -35,7 +35,8 @@ struct SensitivityQuestion {
   std::size_t samples = 0;  ///< number of samples for the Sobol' indices; 0: no indices
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;
-  /// Function that changes the model after reading, for questions that a model file cannot express.
+  /// Function that changes the model after it was read, for example to add an effect defined in
+  /// Python; may be empty.
   std::function<void(files::ModelFile&)> amend{};
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(double)> progress{};  ///< receives the finished share of the work, 0 to 1
@@ -49,11 +50,12 @@ struct SensitivityQuestion {
 /// Returns the derivative of each requested prediction with respect to each varied datum and, on
 /// request, the Sobol' indices.
 ///
-/// The derivative is (4 D(h/2) - D(h))/3, where D(h) is the central difference with step h. The
-/// difference is one-sided if the model rejects values on the other side. The step h is 0.1 % of
-/// the datum, or 0.1 K for a temperature. For steady states of a spindle, the step is ten times
-/// larger, because a steady state is found by iteration. For an integer datum such as the number of
-/// balls, the derivative is D(1).
+/// The derivative is (4 D(h/2) - D(h))/3, where D(h) is the central difference with step h. If the
+/// model rejects the values on one side or has no prediction there, a one-sided difference of
+/// second order with the steps h and h/2 replaces this formula. The step h is 0.1 % of the datum,
+/// or 0.1 K for a temperature. For steady states of a spindle, the step is ten times larger,
+/// because a steady state is found by iteration. For an integer datum such as the number of balls,
+/// the derivative is D(1), or the one-sided difference with step 1.
 ///
 /// The spreads come from `question`. If a spread is not given, the spread of a fitted parameter is
 /// sqrt(3) times its standard error: the half width of a uniform distribution whose standard

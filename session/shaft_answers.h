@@ -10,10 +10,10 @@
 
 namespace raceway::session {
 
-/// Returns warnings if balls of a bearing on the shaft lose contact with the inner ring, or if a
-/// load is below the minimum load. Each warning gives the range of speeds at which this happens.
-/// The ends of the range are calculated between the points, with an accuracy of half an rpm. The
-/// points must be in order of rising speed.
+/// Returns warnings if balls of a bearing on the shaft lose contact with the inner ring, or if the
+/// load of a bearing is below its minimum load against skidding. Each warning gives the range of
+/// speeds at which this happens. The ends of the range are calculated between the points, with an
+/// accuracy of half an rpm. The points must be in order of rising speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);

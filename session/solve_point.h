@@ -23,11 +23,12 @@ struct PointAnswer {
   /// Ball equilibrium with a report of the solver. The equilibrium of cylindrical rollers is in
   /// `friction`.
   bearing::BearingEquilibrium equilibrium{};
-  friction::HeatSplit heat{};
-  std::optional<shaft::ShaftPrediction> shaft{};  ///< for a shaft, instead of the members above
-  std::optional<results::BandOfResult> band{};    ///< half widths of the 95 % band, if requested
-  model::Findings findings{};                     ///< limits that the answer exceeds
-  std::string why{};                              ///< if not converged: the point and the reason
+  friction::HeatSplit heat{};  ///< friction heat of the inner and of the outer ring [W]
+  /// Results of a shaft. `friction`, `equilibrium` and `heat` are not used for a shaft.
+  std::optional<shaft::ShaftPrediction> shaft{};
+  std::optional<results::BandOfResult> band{};  ///< half widths of the 95 % band, if requested
+  model::Findings findings{};                   ///< limits that the answer exceeds
+  std::string why{};                            ///< if not converged: the point and the reason
 
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };

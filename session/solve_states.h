@@ -15,7 +15,8 @@ namespace raceway::session {
 
 /// Array of doubles that belongs to the caller and is read without a copy. Each stride is the
 /// number of bytes from one double to the next along one dimension; 0 repeats the double along this
-/// dimension. If `data` is null, the value of the model is used.
+/// dimension. If `data` is null, the array is not given: a load or a temperature then comes from
+/// the model, and a moment is 0. The speeds must be given.
 struct NumberArray {
   const char* data = nullptr;
   std::vector<std::ptrdiff_t> strides{};
@@ -61,15 +62,15 @@ struct SolvedStates {
                                         const model::Band* band = nullptr);
 
 /// Solves a single state and returns all columns with notes. The values have the same 15 digits as
-/// the output of `raceway solve`. solve_states() solves several points together, and its results
-/// may differ slightly (docs/speed.md). Throws the same exceptions as solve_states(), and throws
-/// for more than one state.
+/// the output of `raceway solve`. solve_states() solves several points together in SIMD lanes, so
+/// its values may differ slightly from these values (docs/speed.md). Throws the same exceptions as
+/// solve_states(), and text::InputError unless there is exactly one state.
 [[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);
 
 /// Returns the operating point of arrays that contain a single state. Throws the same exceptions as
-/// solve_states(), and text::InputError for more than one state.
+/// solve_states(), and text::InputError unless there is exactly one state.
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile& file,
                                                    const StateArrays& states);
 

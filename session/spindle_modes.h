@@ -16,10 +16,11 @@ struct ModesQuestion {
   std::vector<double> speeds{};  ///< shaft speeds [rad/s]
   /// True: uses the bearing stiffness of the warm spindle at steady state.
   bool warm = false;
-  bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
-  int count = 6;
+  bool coolant_on = true;        ///< true: the coolant of the warm spindle is on
+  int count = 6;                 ///< number of modes at each speed
   double damping_ratio = unset;  ///< damping ratio assigned to every mode [1]
-  /// Unbalance for which the whirl of the nose is computed.
+  /// Unbalance for which the whirl of the nose is computed; if it is not given, no whirl is
+  /// computed.
   std::optional<spindle::Unbalance> unbalance{};
   /// If true, the calculation throws fit::Cancelled.
   const std::atomic<bool>* cancelled = nullptr;

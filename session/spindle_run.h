@@ -34,6 +34,7 @@ struct SpindleRun {
   std::string programme{};  ///< name of the programme
   /// Rows of the programme. A run that ended early has one more row at its end: spindle::add_end().
   std::vector<spindle::ProfileRow> profile{};
+  /// Initial state; if it is empty, all parts start at ambient temperature.
   std::optional<spindle::State> start{};
   spindle::Run run{};
   results::MeshEstimate mesh{};
@@ -62,7 +63,7 @@ struct SpindleRun {
 
 /// Simulates a spindle. Throws text::InputError if the model is not a spindle, if the programme has
 /// no time or no speed or contains several runs, if it begins before 0 s and no initial state is
-/// given, or if the initial state belongs to another spindle.
+/// given, or if the initial state belongs to another spindle or another mesh.
 [[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                                           const RunQuestion& question);
 

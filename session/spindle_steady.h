@@ -38,9 +38,10 @@ struct SteadyQuestion {
   /// Moment at the nose [N m]; positive if it turns the shaft like a positive radial force in front
   /// of the nose.
   double moment = 0.0;
-  double belt_force = unset;   ///< pull of the belt [N]; NaN: value of the model
-  double motor_power = unset;  ///< electrical input of the motor [W]; NaN: unknown
-  bool assumptions = false;    ///< true adds the most influential assumed values to the results
+  double belt_force = unset;  ///< pull of the belt [N]; NaN: value of the model
+  /// electrical power of the motor, used in heat formulas of the model [W]; NaN: unknown
+  double motor_power = unset;
+  bool assumptions = false;  ///< true adds the most influential assumed values to the results
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
@@ -48,7 +49,8 @@ struct SteadyQuestion {
 struct SteadySpindle {
   files::ModelFile file;
   std::vector<results::SteadyState> states{};
-  std::vector<std::string> roller_notes{};  ///< notes on roller bearings
+  /// Notes on the roller bearings at the last speed, such as a load below the minimum load.
+  std::vector<std::string> roller_notes{};
   results::MeshEstimate mesh{};
   /// most influential assumed values of the model, at the last speed with a steady state
   results::Assumptions assumptions{};

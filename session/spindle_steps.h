@@ -34,8 +34,9 @@ struct StepQuestion {
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
-/// Responses of a spindle to steps of speed or load, simulated or read from a file. K(P) is the
-/// gain and T(P) the time constant over the power P.
+/// Responses of a spindle to steps of speed or load, simulated or read from a file. The laws K(P)
+/// and T(P) give the gain and the time constant of a thermal lag as functions of P, the friction
+/// loss of all bearings at the end of the step.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
   std::string source{};                    ///< name of the file that gave the responses
@@ -45,7 +46,7 @@ struct SpindleSteps {
   /// Lubricant temperature at which the friction power of imported steps is computed [C].
   double temperature_C = unset;
   bool coolant_on = true;
-  bool simulated = false;
+  bool simulated = false;  ///< true: simulated by raceway; false: imported from a file
 
   [[nodiscard]] const model::Model* model() const { return file ? &file->model : nullptr; }
   [[nodiscard]] bool converged() const;

@@ -46,8 +46,9 @@ struct TableAnswer {
   /// modelica.
   [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
-  /// Returns the findings that are notes, and the text of balls_statement(). This text is for the
-  /// highest speed and for the first loads and the first temperature of the axes.
+  /// Returns the findings that are notes, and the text of balls_statement(), which compares ceramic
+  /// with steel balls. This text is for the highest speed and for the first loads and the first
+  /// temperature of the axes.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
   /// Returns warnings about exceeded limits.
   [[nodiscard]] std::vector<record::Note> warnings() const {
@@ -72,9 +73,10 @@ struct TableFailures {
 [[nodiscard]] TableFailures failures(const model::Model& model,
                                      const friction::StribeckTable& table);
 
-/// Returns solved points for the ball drawings of a report: some speeds at some pairs of axial and
-/// radial load. The result is empty for a shaft, because the loads of the grid are external loads,
-/// not bearing loads.
+/// Returns solved points for the ball drawings of a report: at most 25 speeds at each of at most 12
+/// pairs of axial and radial load, at the first temperature. Points without equilibrium are
+/// omitted. The result is empty for a shaft, because the loads of the grid are external loads, not
+/// bearing loads.
 [[nodiscard]] report::BearingStates states_to_draw(const model::Model& model,
                                                    const friction::TableAxes& grid);
 

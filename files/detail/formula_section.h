@@ -16,7 +16,7 @@ struct FormulaNumber {
   std::string name, unit = "1";
   double value = 0.0;
   double lower = unset, upper = unset;  ///< bounds for a fit; NaN: no bound
-  bool in_braces = false;
+  bool in_braces = false;  ///< true: written as `c = { value = ... }`; false: as `c = 0.0`
 };
 
 /// Reads a parameter of the formula of the effect `id`: `c = { value = 0.0, unit = "N mm", lower =

@@ -52,7 +52,8 @@ inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
 [[nodiscard]] model::Ambient read_ambient(ModelTables& tables);
 [[nodiscard]] std::optional<model::Coolant> read_coolant(ModelTables& tables,
                                                          const model::Ambient& ambient);
-/// Returns the tables [[coolant.circuit]].
+/// Returns the tables [[coolant.circuit]]. For a circuit without a fluid or an inlet temperature,
+/// read_circuits() uses the value of `first`, the coolant in [coolant].
 [[nodiscard]] std::vector<Section> circuit_sections(const ModelTables& tables);
 [[nodiscard]] std::vector<model::Circuit> read_circuits(ModelTables& tables,
                                                         const model::Coolant& first);
