@@ -84,7 +84,7 @@ struct ColumnMap {
   char decimal_mark = '\0';                     ///< decimal mark of the file; '\0': not given
   std::optional<text::DateOrder> date_order{};  ///< order of day and month in dates with slashes
   /// Time interval in which the settings of a row, such as the speed, are valid. Only for a time
-  /// record; if it is not given, SettingsHold::sampled is used.
+  /// record. Default: SettingsHold::until_row for a spindle, otherwise SettingsHold::sampled.
   std::optional<record::SettingsHold> settings_hold{};
   std::vector<Combination> transducers{};  ///< only for a time record
 
