@@ -26,12 +26,14 @@ enum class Side { front, rear };
 /// One bearing of a set.
 struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
-  /// Axial compression of this bearing minus the compression of its set, due to face grinding [m].
+  /// Axial compression of this bearing minus the compression δ of its set (front or rear) [m]. Face
+  /// grinding of the rings causes this offset.
   double offset = 0.0;
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
 
-/// Preload force at standstill: axial force on each side, summed over its bearings [N], >= 0.
+/// Preload force at standstill: sum of the axial forces of the front bearings, equal to the sum of
+/// the rear bearings or, in tandem, to the spring force [N], >= 0.
 struct PreloadForce {
   double force = unset;
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
@@ -113,6 +115,9 @@ class Arrangement {
   ///
   ///   softness (F_r - F_0) = hardness (d (x - e) - (δ_r - δ_r0))
   ///
+  /// F_r is the axial force and δ_r the compression of the rear set, F_0 and δ_r0 are their mounted
+  /// values, and x, e, d, c and k are as in the comment of Arrangement.
+  ///
   /// Without a share m of the other mounting, (softness, hardness) is (c [m/N], 1) for a rigid
   /// mounting and (1, k [N/m]) for a spring. With m = ArrangementDesign::other_mounting > 0, the
   /// pair is
@@ -120,10 +125,10 @@ class Arrangement {
   ///   (1 - m) (c K_r, K_r) + m (1, 0)     for an entered rigid mounting
   ///   (1 - m) (1, k) + m (c K_r, K_r)     for an entered spring
   ///
-  /// K_r is the stiffness of the rear set as mounted. If c = 0, the rear set and its seat in series
-  /// have the stiffness (1 - m) K_r with an entered rigid mounting, and m K_r with an entered
-  /// spring of constant force (k = 0). For a small displacement, the change of the rear force is
-  /// then linear in m.
+  /// K_r is the stiffness of the rear set as mounted. If c = 0, the rear set and its support in
+  /// series have the stiffness (1 - m) K_r with an entered rigid mounting, and m K_r with an
+  /// entered spring of constant force (k = 0). For a small displacement of the shaft, the change of
+  /// the rear force is then linear in m.
   struct Seat {
     double softness, hardness;
   };

@@ -11,7 +11,9 @@ namespace raceway::bearing {
 
 /// Shifts of the grooves of one bearing of an arrangement from the mounted state [m].
 struct RingShift {
-  double axial = 0.0;   ///< axial shift of the inner groove, > 0 if it compresses the bearing
+  /// Axial shift of the inner groove relative to the outer groove, > 0 if it compresses the
+  /// bearing.
+  double axial = 0.0;
   double radial = 0.0;  ///< radial growth of the inner groove minus growth of the outer groove
   /// Growth of the distance from the inner groove centre to the ball centre, without load.
   double inner_length = 0.0;
@@ -65,7 +67,8 @@ struct BearingInSet {
   double displacement = unset;     ///< δ_i, axial compression, including offset and shift [m]
   double axial_stiffness = unset;  ///< tangent stiffness of this bearing [N/m]
   BallEquilibrium ball;            ///< equilibrium of the ball at azimuth 0
-  /// Rotation of the balls that the caller prescribed; empty if the race control determines it.
+  /// Rotation of the balls from EquilibriumOptions::rotations; empty at standstill, and if race
+  /// control determines the rotation.
   std::optional<GivenRotation> rotation;
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest Hertz pressures [Pa]
   /// Minimum axial load for rolling without skidding, from minimum_load() [N].
@@ -90,8 +93,8 @@ struct ArrangementEquilibrium {
   /// Returns the equilibrium of bearing i for the friction laws. Displacement and stiffness are
   /// known only along x: the other displacements are 0, and the other stiffness components are NaN.
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
-  /// Returns the given ball rotation of each bearing, for EquilibriumOptions::rotations; empty
-  /// under race control.
+  /// Returns the prescribed ball rotation of each bearing, for EquilibriumOptions::rotations of
+  /// another solve; empty under race control and at standstill.
   [[nodiscard]] std::vector<GivenRotation> rotations() const;
 };
 
@@ -112,10 +115,12 @@ struct ArrangementEquilibrium {
 ///
 /// The unknowns of the Newton-Raphson method are the position of the shaft, the position of the
 /// rear set, and two coordinates of one ball of every bearing (thrust loads all balls equally). All
-/// derivatives are analytic. If the start from standstill or from the neighbour fails, the solver
-/// increases the squared speed, the loads and the shifts in steps (continuation). The status
-/// `no_equilibrium` does not prove that no equilibrium exists. If both sets are unloaded, the shaft
-/// is free, and the status is `singular`.
+/// derivatives are analytic. The iteration starts from `neighbour`, the solution for a similar
+/// condition. Without `neighbour`, or if this start fails, the solver starts from the equilibrium
+/// at standstill under the full load and raises the squared speed, in steps if necessary. If this
+/// also fails, the squared speed, the load, the elongation and the shifts grow together from the
+/// mounted state. The status `no_equilibrium` does not prove that no equilibrium exists. If both
+/// sets are unloaded, the shaft is free, and the status is `singular`.
 ///
 /// A bearing without inner contacts carries no load; this is a valid equilibrium.
 /// Domain:   speed >= 0. A state in which a bearing is in tension is not an equilibrium.
@@ -128,8 +133,8 @@ struct ArrangementEquilibrium {
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);
 
-/// Solves many conditions. Each solve starts from the last converged solution. Throws
-/// std::invalid_argument for an invalid condition, and if the sizes of the arrays differ.
+/// Solves many conditions in their order. Each solve uses the last converged solution as neighbour.
+/// Throws std::invalid_argument for an invalid condition, and if the sizes of the arrays differ.
 void solve_arrangement(const Arrangement& arrangement,
                        std::span<const ArrangementCondition> conditions,
                        std::span<ArrangementEquilibrium> results,

@@ -24,9 +24,9 @@ using Plane = PlaneOf<double>;
 template <typename T>
 struct BallConstantsOf {
   T inner_radius;      ///< (f_i - 0.5) D: groove centre to ball centre without load [m]
-  T outer_radius;      ///< (f_o - 0.5) D [m]
-  T inner_stiffness;   ///< K_i [N/m^1.5]
-  T outer_stiffness;   ///< K_o [N/m^1.5]
+  T outer_radius;      ///< (f_o - 0.5) D: groove centre to ball centre without load [m]
+  T inner_stiffness;   ///< K_i, HertzContact::contact_stiffness at the inner race [N/m^1.5]
+  T outer_stiffness;   ///< K_o, HertzContact::contact_stiffness at the outer race [N/m^1.5]
   T diameter_ratio;    ///< g = D/d_m [1]
   T full_centrifugal;  ///< C = m_ball d_m ω²/2: centrifugal force of a ball orbiting at ω [N]
   T gyroscopic;        ///< 1 with the gyroscopic moment, 0 without it [1]
@@ -47,17 +47,17 @@ enum class Rotation { outer_control, inner_control, given };
 /// Contact loads and forces of one ball.
 template <typename T>
 struct BallForcesOf {
-  T inner_load, outer_load;          ///< Qi, Qo [N]
-  T inner_friction, outer_friction;  ///< Ti, To [N]
+  T inner_load, outer_load;          ///< Qi, Qo: normal forces at the races [N]
+  T inner_friction, outer_friction;  ///< Ti, To: friction forces at the races [N]
   T centrifugal;                     ///< Fc [N]
-  T inner_approach, outer_approach;  ///< δi, δo [m]
+  T inner_approach, outer_approach;  ///< δi, δo: elastic approaches [m]; negative for a gap
 };
 
 /// Imbalance of one ball and its forces on the inner ring, with all first derivatives.
 ///
 /// The coordinates are (axial, radial) with the outer groove centre at the origin. X is the ball
 /// centre, A the inner groove centre, V = A - X. n and t are the normal and the tangent of a
-/// contact. f_i, f_o, D, d_m and R_i are as in BearingGeometry:
+/// contact. f_i, f_o, D, d_m and R_i are as in BearingGeometry, and K as in BallConstantsOf:
 ///
 ///   n = (sin α, cos α),  t = (cos α, -sin α),   sin αo = X1/|X|,  sin αi = V1/|V|
 ///   Q = K δ^1.5,  δo = |X| - (f_o - 0.5) D,  δi = |V| - (f_i - 0.5) D
@@ -194,8 +194,8 @@ struct FrictionGain {
   return {r.inner_friction * slope, r.outer_friction * slope};
 }
 
-/// Results of the rotation law of a ball. Even with inner control, a ball without inner contact
-/// follows the law of outer control.
+/// Results of the rotation law of a ball. Under inner control, a ball without inner contact follows
+/// the law of outer control.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,

@@ -26,9 +26,9 @@ struct EquilibriumOptions {
   double tolerance = 1e-11;       ///< largest accepted imbalance, relative to the load [1]
   int max_iterations = 2000;      ///< limit of the Newton steps, summed over all search stages
   /// Rotations of the balls, used instead of race control: one for each ball, in the order of
-  /// azimuth, or one for all balls. Balls that are equal by symmetry need equal rotations. An
-  /// arrangement needs one rotation for each bearing. At rest the rotations are ignored. The array
-  /// must exist until the solve ends.
+  /// azimuth, or one for all balls. If empty, race control determines the rotations. Balls that are
+  /// equal by symmetry need equal rotations. An arrangement needs one rotation for each bearing. At
+  /// rest the rotations are ignored. The array must exist until the solve ends.
   std::span<const GivenRotation> rotations = {};
 };
 
@@ -39,7 +39,8 @@ struct BearingEquilibrium {
   /// contact angle (deep groove, α0 = 0: from the centred position).
   Vector5 displacement = Vector5::Constant(unset);
   Balls balls;
-  /// Given rotation of each ball in balls.distinct(); empty under race control.
+  /// Rotation of each ball in balls.distinct(), from EquilibriumOptions::rotations; empty under
+  /// race control.
   std::vector<GivenRotation> rotations;
   /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad]. The
   /// matrix is slightly asymmetric at speed, because centrifugal and gyroscopic forces depend on
@@ -63,7 +64,8 @@ struct BearingEquilibrium {
 /// follows the solution from pure thrust to the full load, and from standstill to the full speed.
 /// Under inner control, the solver also searches for the balls that have lost contact with the
 /// inner race. equilibrium_search.h gives the share of missed equilibria. The status is
-/// `no_equilibrium` if no method finds a solution, or if no load presses the rings together.
+/// `no_equilibrium` if no load presses the rings together. If no method finds a solution, the
+/// status is `no_equilibrium` or gives a numerical reason, such as `iteration_limit`.
 ///
 /// Domain:   speed >= 0. An angular-contact bearing carries axial load only in +x.
 /// Accuracy: the residual, relative to the applied load, is at most `tolerance`; in practice the

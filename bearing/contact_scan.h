@@ -9,7 +9,7 @@ namespace raceway::bearing {
 /// Combination of kept and lost inner contacts, with the ring and ball positions of this
 /// combination.
 struct ScannedSet {
-  std::vector<InnerContact> contacts;  ///< contacts of the balls that are unknowns
+  std::vector<InnerContact> contacts;  ///< inner contact of each distinct ball (see balls.h)
   RingState state;
   double imbalance;  ///< largest component of the unbalanced load, relative to the load [1]
 };
@@ -22,11 +22,11 @@ struct ScannedSet {
 /// along the load and, with free tilt, the tilt about the axis perpendicular to the load. At each
 /// node the scan solves the equilibrium of each ball separately. A ball has up to three states: on
 /// the inner race at a larger or a smaller contact angle, or without contact with the inner race.
-/// For one ball after the other, the scan selects the state that reduces the imbalance of the ring
-/// most. The function returns the sets of contacts that occur, in rising order of imbalance. Each
-/// set has the positions at the first node at which it occurs. A set is returned again for a later
-/// node if the imbalance at this node is at most 0.7 times the imbalance for which the set was
-/// returned last.
+/// The scan repeatedly changes the state of one ball, each time the change that reduces the
+/// imbalance of the ring most. The resulting set of contacts is stored with the positions of ring
+/// and balls. If the same set occurs again at a later node, it is stored again only if its
+/// imbalance is at most 0.7 times the imbalance of the last stored entry of this set. The function
+/// returns all entries in rising order of imbalance.
 ///
 /// A set is a starting state, not an equilibrium. Newton's method decides whether the contacts of
 /// the set are valid.

@@ -14,9 +14,11 @@ namespace raceway::bearing {
 /// the previous solution. The bearing must exist as long as the object.
 ///
 /// Domain:   speed >= 0. The grooves may be shifted (RingShift).
-/// Accuracy: the imbalance of each ball is at most `options.tolerance` times the forces on the
-///           ball. The physics is the same as in solve_bearing_equilibrium(). No ball is loaded if
-///           the rings of an angular-contact bearing are separated, as in solve_arrangement().
+/// Accuracy: the imbalance of each ball is at most `options.tolerance` times the sum of its outer
+///           contact load and its approximate centrifugal force, or 1e-8 times this sum if rounding
+///           stops the iteration. The physics is the same as in solve_bearing_equilibrium(). No
+///           ball touches the inner race if the rings of an angular-contact bearing are separated,
+///           as in solve_arrangement().
 class DisplacedBearing {
  public:
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},
@@ -25,8 +27,8 @@ class DisplacedBearing {
   /// Replaces the shift of the grooves.
   void set_shift(const RingShift& shift);
   /// Finds the equilibrium of the balls at this displacement of the inner ring, defined as in
-  /// BearingEquilibrium. The shift of the grooves is added to this displacement. Returns false if a
-  /// ball has no equilibrium; force and stiffness are then invalid.
+  /// BearingEquilibrium. The shift of the grooves is added to this displacement. Returns false if
+  /// no equilibrium is found for a ball; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
   /// External forces on the ring that balance the ball forces: F_x, F_y, F_z [N], M_y, M_z [N m].
   [[nodiscard]] const Vector5& force() const { return force_; }

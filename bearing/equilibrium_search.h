@@ -14,18 +14,20 @@ namespace raceway::bearing {
 ///   1. the closed-form thrust solution as start,
 ///   2. under inner control, the inner contacts that statics allows (lost_contacts.h),
 ///   3. following the solution from pure thrust to the full radial load and moment,
-///   4. following the solution from standstill to full speed,
-///   5. if the axial load is small, following the solution from the radial load without axial load,
+///   4. following the solution from standstill to full speed, under the full load,
+///   5. if the axial load is below a tenth of the radial load, following the solution from zero to
+///      the full axial load,
 ///   6. under inner control, states in which the least loaded balls have lost the inner race, then
 ///      sets of contacts that differ from a set of step 2 by one ball, with more Newton steps,
 ///   7. under inner control, the contacts that occur on a grid of ring positions (contact_scan.h).
 ///
 /// Without axial load, the search uses only step 4. Under outer control the forces are continuous
-/// in the displacement, and these steps find every equilibrium that is known to exist. Under inner
-/// control the gyroscopic couple vanishes with the contact, so an equilibrium may exist only for
-/// one combination of lost contacts. Steps 2 and 6 try the likely combinations of lost contacts,
-/// and step 7 tries the combinations that occur on a grid of ring positions. The search misses
-/// about 0.02 % of the existing equilibria (docs/solver.md).
+/// in the displacement, and steps 1, 3, 4 and 5 find every equilibrium that is known to exist.
+/// Under inner control the gyroscopic couple vanishes with the contact, so an equilibrium may exist
+/// only for one combination of lost contacts. Steps 2 and 6 try the likely combinations of lost
+/// contacts, and step 7 tries the combinations that occur on a grid of ring positions. Under inner
+/// control, the search misses a known equilibrium at about 0.02 % of random operating points
+/// (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

@@ -9,7 +9,8 @@
 namespace raceway::bearing {
 
 /// Damage frequencies of a bearing per shaft revolution [1]. Multiply by the shaft's revolutions
-/// per second for Hz. ω is the shaft speed, ω_m the orbital speed of the Z balls.
+/// per second for Hz. ω is the shaft speed, ω_m the orbital speed of the Z balls or rollers, and
+/// ω_R the speed of a ball or roller about its own axis.
 struct BearingFrequencies {
   double cage = unset;        ///< FTF, fundamental train frequency with a fixed outer ring: ω_m/ω
   double outer_race = unset;  ///< BPFO, balls that pass a point of the outer race: Z ω_m/ω

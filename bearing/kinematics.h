@@ -25,7 +25,7 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 }
 
 /// Rotation of a ball from its friction equilibrium instead of race control: the orbital speed, and
-/// the friction forces in the plane of the ball.
+/// the friction forces in the plane through the bearing axis and the ball centre.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = min(Qi/inner_load, 1)
@@ -36,9 +36,10 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 /// zero when the inner contact is lost. The default values describe a ball without inner contact
 /// under outer control, where αo = 0.
 struct GivenRotation {
-  double cos_pitch = 1.0, sin_pitch = 0.0;            ///< cosine and sine of β
-  double creep = 0.0;                                 ///< m_c [1]
-  double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To as in BallBalance [N]
+  double cos_pitch = 1.0, sin_pitch = 0.0;  ///< cosine and sine of β
+  double creep = 0.0;                       ///< m_c, added to the ratio m [1]
+  /// Friction forces Ti, To at the load `inner_load`, with the signs of BallBalance [N].
+  double inner_friction = 0.0, outer_friction = 0.0;
   /// Inner contact load Qi for which the friction forces are given [N], > 0.
   double inner_load = 1.0;
   [[nodiscard]] bool operator==(const GivenRotation&) const = default;
@@ -66,7 +67,8 @@ struct BallSpeeds {
 /// Source: [Harris2006, vol. 2, ch. 5]; inserting tan β in the formula of Harris for ω_R gives the
 ///         reduced forms. They agree with that formula to rounding (tested).
 ///
-/// BallRotation omits the pitch angle β, because β needs an arc tangent.
+/// BallRotation stores ω_R as two components instead of the pitch angle β, because β needs an arc
+/// tangent. speeds() computes β.
 struct BallRotation {
   double cage_speed;     ///< ω_m [rad/s]
   double along, across;  ///< components of ω_R along and across the bearing axis [rad/s]

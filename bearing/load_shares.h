@@ -47,7 +47,7 @@ class LoadShares {
   };
   /// Forces and angles of a kept ball.
   struct Share {
-    double radial;      ///< force on the ring [N]
+    double radial;      ///< radial force of the ball on the ring [N]
     double inner_load;  ///< negative if the contact would be in tension [N]
     double outer_load;
     double tau;  ///< Ti/sin αi [N]
@@ -74,8 +74,9 @@ class LoadShares {
   [[nodiscard]] bool untilted_ring(const Sums& sums, Vector5& ring, double& moment) const;
   [[nodiscard]] double axial_share(const Sums& sums, double moment, double c) const;
   [[nodiscard]] Sums sums_of(const std::vector<InnerContact>& contacts) const;
-  /// Position in order() of the lost ball that penetrates the race most; the size of order() if no
-  /// lost ball penetrates the race.
+  /// Position in order() of the lost ball that penetrates the inner race most; the size of order()
+  /// if no lost ball penetrates the race. The first `first` and the last `last` balls of order()
+  /// are kept.
   [[nodiscard]] std::size_t reaching(const Vector5& ring, std::size_t first,
                                      std::size_t last) const;
 
@@ -83,7 +84,7 @@ class LoadShares {
   BallConstantsOf<double> constants_;
   bool tilts_;
   double cos_direction_, sin_direction_;
-  double axial_, radial_, moment_;  ///< load; the moment is divided by the lever [N]
+  double axial_, radial_, moment_;  ///< applied load; the moment is divided by system.lever() [N]
   Plane free_, thrown_;
   std::vector<double> along_;  ///< c of the balls
   std::vector<std::size_t> order_;

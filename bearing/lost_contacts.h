@@ -18,10 +18,10 @@ class ContactSearch {
 
   /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the kept
   /// ball most in tension or the lost ball that penetrates the race most changes its contact, until
-  /// no such ball exists. If a set recurs, the search tries similar sets, beginning with the sets
-  /// that fit statics best. Then the search tries sets that differ by one ball from the sets that
-  /// were solved but not valid. Returns true if a valid equilibrium is found, with `state` as the
-  /// solution.
+  /// no such ball exists. If these rounds end without a valid equilibrium, for example because a
+  /// set recurs, the search tries similar sets, beginning with the sets that fit statics best. Then
+  /// the search tries sets that differ by one ball from the sets that were solved but not valid.
+  /// Returns true if a valid equilibrium is found, with `state` as the solution.
   [[nodiscard]] bool settle(RingState& state);
   /// Repeats the last stage of settle(), the sets changed by one ball, with more Newton steps for
   /// each set.

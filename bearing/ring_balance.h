@@ -69,15 +69,16 @@ decltype(auto) with_model(BallModel model, F&& f) {
   return with_race_control(model, f);
 }
 
-/// Positions of the balls, and the number of balls that are unknowns: one, half of the balls, or
-/// all balls.
+/// Azimuths of the balls and the symmetry of the load. The symmetry determines the distinct balls
+/// (distinct_balls()); only their positions are unknowns.
 struct BallCircle {
   const double* azimuth;  ///< [rad]
   const double* cosine;   ///< cosine of the azimuth
   const double* sine;
   int count;  ///< Z, number of balls
   Symmetry symmetry;
-  std::span<const GivenRotation> rotations = {};  ///< one for each ball, or one for all
+  /// EquilibriumOptions::rotations: one for each ball, or one for all; empty under race control.
+  std::span<const GivenRotation> rotations = {};
 
   [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
   /// Number of balls that ball k represents [1].
@@ -118,7 +119,7 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
 [[nodiscard]] BallModel ball_model(const RingPoint<double>& ring,
                                    const EquilibriumOptions& options);
 
-/// Newton step of a ball, and the approach that limits the step.
+/// Newton step of a ball, and the approach at the outer race, which limits the step.
 template <typename T>
 struct BallStep {
   T own[2];          ///< step while the ring does not move [m]
@@ -135,7 +136,7 @@ struct BallShare {
   /// Derivatives of `force` with respect to the inner groove centre (axial, radial), row-major 3x2
   /// [N/m].
   T tangent[6];
-  T imbalance;             ///< imbalance of the ball, squared and scaled [1]
+  T imbalance;             ///< square of |r|/(RingPoint::ball_scale + Qo), r of BallBalanceOf [1]
   BallForcesOf<T> forces;  ///< contact loads and forces for the report
 };
 
@@ -205,7 +206,8 @@ template <BallModel model, typename T>
   return share;
 }
 
-/// Step of the inner groove centre of ball k in its plane, for a step of the ring.
+/// Step of the inner groove centre at ball k, in the plane through the bearing axis and the ball,
+/// for a step of the ring.
 template <class C, typename T>
 [[gnu::always_inline]] inline PlaneOf<T> groove_step(const BallCircle& circle, const T* ring,
                                                      int k) {
@@ -232,7 +234,7 @@ template <class C, typename T>
 /// Forces of the balls on the ring in the coordinates C, and their derivatives.
 template <class C, typename T>
 struct RingSums {
-  T carried[C::count];              ///< forces of the balls [N]
+  T carried[C::count];              ///< ball forces on the ring; moments divided by the lever [N]
   T ahead[C::count];                ///< the same forces after the balls' own step [N]
   T stiffness[C::count][C::count];  ///< stiffness with the balls eliminated [N/m]
 
@@ -265,8 +267,7 @@ struct RingSums {
   }
 };
 
-/// Sums over all balls of the circle for all coordinates, computed from the balls that are
-/// unknowns.
+/// Turns sums over the distinct balls, with their weights, into sums over all balls of the circle.
 template <typename T>
 void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   T(&k)[5][5] = sums.stiffness;
@@ -297,23 +298,24 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
 }
 
 /// Largest relative error allowed when the loads are summed again from the reported balls. The
-/// solvers for a bearing and for an arrangement check this error in every solve. Rounding errors
-/// are about a thousandth of this limit.
+/// solvers for a bearing and for an arrangement reject a solution with a larger error. Rounding
+/// errors are about a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Results for a ring in equilibrium.
 template <typename T>
 struct RingReport {
-  T stiffness[5][5];  ///< [N/m]
-  T residual;         ///< largest imbalance of ring and balls, scaled [1]
+  /// Tangent stiffness; tilts are multiplied and moments divided by RingPoint::lever [N/m].
+  T stiffness[5][5];
+  T residual;  ///< largest scaled imbalance of ring and balls, as in NewtonLimits [1]
   /// Relative error of the loads summed again from the reported balls [1]; NaN if a number is not
   /// finite.
   T recovered_load_error;
 };
 
-/// Computes angles and forces of the balls that are unknowns, for a ring in equilibrium. Then sums
-/// the ball forces from these results and compares the sum with the applied load. This comparison
-/// is an independent check of all calculations from the unknowns to the report.
+/// Computes angles and forces of the distinct balls, for a ring in equilibrium. Then sums the ball
+/// forces from these results and compares the sum with the applied load. This comparison is an
+/// independent check of all calculations from the unknowns to the report.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {
@@ -359,7 +361,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   for (int i = 0; i < (tilts ? 5 : 3); ++i) {
     missing = max(missing, abs(p.load[i] - sums.carried[i]));
     // Components of the load that are zero by symmetry are not checked, because `sum` contains only
-    // the balls that are unknowns.
+    // the distinct balls.
     const bool even = circle.symmetry == Symmetry::none || i == 0 ||
                       (circle.symmetry == Symmetry::mirror && (i == 1 || i == 4));
     if (even) error = max(error, abs(p.load[i] - sum[i]));
@@ -373,7 +375,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
 }
 
 /// Sets all members of `result` except status and iterations, from lane i of a ring in equilibrium
-/// and of the balls that are unknowns. T is double or Eight.
+/// and of its distinct balls. T is double or Eight.
 template <typename T>
 void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
                       const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,

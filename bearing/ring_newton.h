@@ -9,10 +9,14 @@
 namespace raceway::bearing {
 
 struct NewtonLimits {
-  double tolerance;  ///< limit of the scaled residual [1]
-  int steps;         ///< largest number of steps of one lane
-  /// Factor by which a full step may raise the merit, the sum of the squares of the scaled
-  /// imbalances. A ball that gains or loses contact may raise the merit once.
+  /// Limit of the residual, the largest scaled imbalance [1]. The imbalance of the ring is divided
+  /// by RingPoint::load_scale, the imbalance of a ball by RingPoint::ball_scale plus its outer
+  /// load.
+  double tolerance;
+  int steps;  ///< largest number of steps of one lane
+  /// Factor by which a full step may raise the merit: the sum of the squares of the scaled ring
+  /// imbalances, plus the mean of these squares over the balls. A ball that gains or loses contact
+  /// may raise the merit once.
   double rise = 4.0;
 };
 
@@ -44,9 +48,9 @@ class RingNewton {
   T trial_ring[5];  ///< trial state, evaluated by the next pass()
   std::vector<PlaneOf<T>> trial_balls;
   T steps = T(0.0);     ///< number of steps since the start
-  T residual = T(0.0);  ///< scaled residual at `ring` and `balls` [1]
+  T residual = T(0.0);  ///< largest scaled imbalance at `ring` and `balls` [1]
 
-  /// Marks the trial state of this lane as a start, not a step.
+  /// Marks the trial state of lane i as a start, not a step.
   void begin(std::size_t i) {
     set_lane(fresh_, i, 1.0);
     set_lane(steps, i, 0.0);

@@ -59,7 +59,7 @@ class RingSystem {
   /// True if the allowed steps are used up; newton() then makes no step.
   [[nodiscard]] bool exhausted() const { return iterations_ >= end_; }
 
-  /// Number of balls that are unknowns: one, half of the balls, or all balls.
+  /// Number of balls whose positions are unknowns: one, half of the balls, or all balls.
   [[nodiscard]] std::size_t balls_used() const { return static_cast<std::size_t>(circle_.used()); }
   /// Number of balls that ball k represents [1].
   [[nodiscard]] double weight(std::size_t k) const { return circle_.weight(static_cast<int>(k)); }

@@ -36,7 +36,7 @@ struct RollerGeometry {
   double bore = unset;                ///< d [m]; may be unknown
   double outer_diameter = unset;      ///< diameter of the outer ring [m]; may be unknown
   double width = unset;               ///< width B [m]; may be unknown
-  double static_load_rating = unset;  ///< C0 [N]; NaN: life::static_load_rating() gives C0
+  double static_load_rating = unset;  ///< C0 [N]; if NaN, life::static_load_rating() computes C0
 
   /// γ = D/d_m [1].
   [[nodiscard]] double diameter_ratio() const { return roller_diameter / pitch_diameter; }
@@ -86,7 +86,7 @@ inline constexpr std::size_t lamina_count = 41;
 ///           contact.
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
-  double compliance = unset;    ///< k1 + k2 of roller and ring [1/Pa]
+  double compliance = unset;    ///< k1 + k2, sum of k = (1 - ν²)/E of roller and ring [1/Pa]
   double inner_radius = unset;  ///< R, equivalent radius at the inner raceway, D/2 (1 - D/d_m) [m]
   double outer_radius = unset;  ///< equivalent radius at the outer raceway, D/2 (1 + D/d_m) [m]
 

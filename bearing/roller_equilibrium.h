@@ -24,7 +24,9 @@ struct RollerOptions {
   double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed ring tilt, right-handed about y and z [rad]
   /// Radial clearance s in operation [m]; if it is NaN, the clearance of the geometry is used.
   double clearance = unset;
-  double tolerance = 1e-11;  ///< limit of the imbalance relative to the largest force [1]
+  /// Limit of the largest imbalance, relative to the largest of applied load, centrifugal force and
+  /// roller loads [1].
+  double tolerance = 1e-11;
   int max_iterations = 500;  ///< limit of Newton steps
 };
 
@@ -57,8 +59,9 @@ struct RollerEquilibrium {
   /// ∂(Σ Qi)/∂s at constant forces on the ring and constant tilt, never positive [N/m]: additional
   /// clearance reduces the sum of the roller loads. Σ Qo has the same derivative.
   double sum_by_clearance = unset;
-  /// True if there is no load and no inner contact. Such a state is a valid equilibrium without
-  /// displacement and stiffness, because the ring is free within its clearance.
+  /// True if there is no load and no inner contact. Such a state is a valid equilibrium. Its
+  /// stiffness is zero and its radial displacement is reported as zero, because the ring is free
+  /// within its clearance.
   bool loose = false;
   SolveReport report;
 
@@ -97,10 +100,10 @@ struct RollerEquilibrium {
 ///
 /// Source:   at rest the formulas of [ISO16281], as two other programs implement them; the series
 ///           connection of the contacts and the terms with the centrifugal force Fc are derived.
-/// Domain:   speed >= 0. The function throws std::invalid_argument unless axial_load is 0. Without
-///           load and preload no roller touches the inner ring, and the status is `loose`. The ring
-///           does not move in a direction without stiffness, for example perpendicular to the load
-///           of a single loaded roller.
+/// Domain:   speed >= 0. The function throws std::invalid_argument unless axial_load is 0. If there
+///           is no load and no roller touches the inner ring, the status is `loose`. The ring does
+///           not move in a direction without stiffness, for example perpendicular to the load of a
+///           single loaded roller.
 /// Accuracy: the relative imbalance is at most `tolerance`. The model assumes rigid rings and
 ///           quasi-static motion. The model ignores roller skew, flange friction, cage slip and
 ///           film. An approach below 1e-15 m is not a contact. Otherwise a rounding error of 1e-19
@@ -125,8 +128,8 @@ class DisplacedRollerBearing {
   ~DisplacedRollerBearing();
 
   void set_clearance(double clearance);
-  /// Finds the equilibrium at this displacement of the inner ring. Returns false if there is none;
-  /// force and stiffness are then invalid.
+  /// Finds the equilibrium of the rollers at this displacement of the inner ring. Returns false if
+  /// no equilibrium is found; force and stiffness are then invalid.
   [[nodiscard]] bool hold(const Vector5& displacement);
   /// External forces on the ring that balance the roller forces: F_x = 0, F_y, F_z [N], M_y, M_z
   /// [N m].

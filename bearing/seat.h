@@ -23,8 +23,8 @@ enum class Seat {
 /// the axial ball forces must be zero, so each axial ball force is zero. The ring moves back until
 /// the groove centres lie opposite each other, and the balls carry the load at contact angle 0. A
 /// moment without enough axial load needs balls that push in the opposite direction. The solver
-/// permits such balls, because its grooves continue beyond the bottom. In a real bearing the rings
-/// separate.
+/// permits such balls, because the grooves of the model continue beyond the bottom. In a real
+/// bearing the rings separate.
 ///
 /// Domain:   angles up to a tenth of the nominal angle are treated as zero. The result is
 ///           `shoulder` for a bearing with α0 = 0 (deep groove, with two shoulders) and for a

@@ -9,18 +9,19 @@ namespace raceway::bearing {
 
 /// Positions that are unknowns: the shaft, the rear set, and one ball of every bearing.
 struct ShaftState {
-  double shaft = 0.0;  ///< position of the shaft y = d x [m], with d and x of Arrangement
-  double rear = 0.0;   ///< axial compression δ_r of the rear set [m]
+  /// Shaft position y = d x of Arrangement, positive where the front set pushes; 0 as mounted [m].
+  double shaft = 0.0;
+  double rear = 0.0;  ///< axial compression δ_r of the rear set [m]
   std::vector<Plane> balls;
 };
 
-/// Axial force of one bearing, its derivative with the ball position eliminated, and the Newton
-/// step of the ball.
+/// Axial force of one bearing, the derivative of this force with the ball positions eliminated, and
+/// the Newton step of a ball. All balls of the bearing are equal.
 struct BearingShare {
   double force = 0.0;      ///< Z f_axial, axial force of all balls on the ring [N]
   double gain = 0.0;       ///< change of the force by the ball's own Newton step [N]
   double stiffness = 0.0;  ///< derivative of the force with respect to displacement [N/m]
-  double imbalance = 0.0;  ///< imbalance of the ball, squared and scaled [1]
+  double imbalance = 0.0;  ///< square of the ball's imbalance, scaled by the load per ball + Qo [1]
   double own[2] = {};      ///< step of the ball while the ring does not move [m]
   double follow[2] = {};   ///< step of the ball per axial step of its groove centre [1]
   BallForcesOf<double> ball{};
@@ -30,7 +31,7 @@ struct ShaftAssembly {
   std::vector<BearingShare> bearings;
   BearingShare front, rear;  ///< sums over each side
   double shaft_imbalance;    ///< F_f - F_r + d P: forces of front and rear set, external load [N]
-  /// Imbalance in the support of the rear set (Arrangement::Seat):
+  /// Imbalance in the support of the rear set, with the symbols of Arrangement and its Seat:
   ///   softness (F_r - F_0) - hardness (d (x - e) - (δ_r - δ_r0))
   double seat_imbalance;
   double residual;  ///< largest scaled imbalance [1]

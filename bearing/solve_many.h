@@ -16,8 +16,8 @@ enum class InstructionSet { sse2, avx2, avx512 };
 [[nodiscard]] InstructionSet best_instruction_set();
 [[nodiscard]] bool available(InstructionSet set);
 
-/// An operating point of a bearing. Different Bearing objects, for example the same bearing at
-/// several temperatures, are solved in parallel if they have equal numbers of balls.
+/// An operating point of a bearing. Different Bearing objects, for example for the same bearing at
+/// several temperatures, can be solved in the same SIMD batch if they have equal numbers of balls.
 struct BearingCase {
   const Bearing* bearing = nullptr;
   OperatingPoint point;
@@ -29,11 +29,11 @@ struct BearingCase {
 /// equilibria, and rounding can lead each instruction set to a different one.
 ///
 /// Newton's method solves several points in parallel (SIMD), from the closed-form thrust solution.
-/// Points at which Newton's method does not converge are solved like single points. Threads share
-/// the points in fixed chunks. The result of a point depends only on the point and the instruction
-/// set, to the last bit. The number of threads has no influence. The function needs memory for the
-/// results and a fixed amount per thread. Memory for balls that `results` already contains is used
-/// again.
+/// Points at which this method does not converge, points without positive axial load, and points
+/// with given rotations are solved like single points. Threads share the points in fixed chunks.
+/// The result of a point depends only on the point and the instruction set, to the last bit. The
+/// number of threads has no influence. The function needs memory for the results and a fixed amount
+/// per thread. Memory for balls that `results` already contains is used again.
 ///
 /// Throws std::invalid_argument if the number of results differs from the number of points, for
 /// points that are out of range, and if the machine does not support `set`.

@@ -6,7 +6,8 @@
 namespace raceway::bearing {
 
 /// Approximate positions of the ring and of every ball under pure thrust. The solver starts from
-/// these positions if the axial load is above 0 and there is no neighbouring solution.
+/// these positions if the axial load is above 0 and a start from a neighbouring solution is not
+/// possible or fails.
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]
@@ -16,6 +17,9 @@ struct ThrustStart {
 /// Statics of a ball under a thrust P per ball, at a given cotangent of the inner contact angle:
 ///
 ///   Qi = (P - Ti cos αi)/sin αi,   tan αo = P / (Qi cos αi - Ti sin αi + 1.4 Fc)   (outer control)
+///
+/// The loads Qi, Ti, Fc and the contact angles αi, αo are as in BallBalanceOf. The gyroscopic
+/// moment contributes 0.4 to the factor 1.4.
 template <RaceControl control, typename T>
 class ThrustStatics {
  public:
@@ -107,13 +111,13 @@ template <typename T>
 ///   t = cot αo = (Qi c + 1.4 Fc)/P,   ∂t/∂c = 1/sin³ αi,   ∂t/∂m = 2.8 C m/P
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
-/// Lo and Li are the distances from the ball centre to the outer and the inner groove centre, R is
-/// the radial distance of these groove centres, F is cage_speed_ratio(), and P is the thrust per
-/// ball. Qi, Fc, C and δ are as in BallBalanceOf. The formula of cot αo is for outer
-/// control. Inner control uses the same derivatives, which then neglect the change of the
-/// gyroscopic couple. The last step follows the derivatives (sin αi to second order); the equations
-/// are not evaluated after this step. Most loads need two evaluations. Returns true in the lanes
-/// with a result.
+/// Lo and Li are the distances from the ball centre to the outer and the inner groove centre, R =
+/// `free.radial` is the radial distance of these groove centres, F is cage_speed_ratio(), and P is
+/// the thrust per ball. `free` is the inner groove centre of the undisplaced ring. Qi, Fc, C and δ
+/// are as in BallBalanceOf. The formula of cot αo is for outer control. Inner control uses the same
+/// derivatives, which then neglect the change of the gyroscopic couple. The last step follows the
+/// derivatives (sin αi to second order); the equations are not evaluated after this step. Most
+/// loads need two evaluations. Returns true in the lanes with a result.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {

@@ -4,7 +4,7 @@
 
 namespace raceway::life {
 
-/// Fatigue load limit of good bearing steel [N].
+/// Fatigue load limit of a ball bearing of good bearing steel [N].
 ///
 ///   C_u = 0.2288 Z Q_u cos α                        d_m <= 100 mm
 ///   C_u = 0.2288 Z Q_u cos α (100 mm/d_m)^0.5       d_m >  100 mm

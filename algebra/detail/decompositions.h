@@ -7,9 +7,9 @@
 ///
 /// Eigen's decompositions are templates that take many seconds to compile. This folder compiles
 /// them once, for matrices of double, and other files call the functions below. Each function
-/// returns exactly the result of the Eigen class for the same method. If an entry of A is not
-/// finite, results are NaN and ranks are 0. HouseholderQr, LowerRoot and reduce_to_triangle() do
-/// not check the entries.
+/// returns exactly the result of the Eigen class for the same method, with one exception: if the
+/// sum of the squared entries of A is not finite, results are NaN and ranks are 0. HouseholderQr,
+/// LowerRoot and reduce_to_triangle() do not check this sum.
 namespace raceway::algebra {
 
 /// Solution x of min |b - A x|, by QR with column pivoting. A: m × n, b: m, x: n.
@@ -91,9 +91,9 @@ void reduce_to_triangle(Eigen::MatrixXd& A);
 /// component outside the span of the previous columns.
 class PivotedQr {
  public:
+  /// The rank is the number of pivots |R_kk| above rounding error.
   explicit PivotedQr(const Eigen::MatrixXd& A);
-  /// The rank is the number of pivots |R_kk| above `threshold` times the largest pivot [1]. Without
-  /// `threshold`, the rank is the number of pivots above rounding error.
+  /// The rank is the number of pivots |R_kk| above `threshold` times the largest pivot [1].
   PivotedQr(const Eigen::MatrixXd& A, double threshold);
 
   [[nodiscard]] Eigen::Index rank() const;
