@@ -140,11 +140,10 @@ Run setup_calibrate(CLI::App& command) {
       "The key free in the table [calibration] of MODEL lists the parameters to fit.\nDefault: the "
       "usual parameters of the law, such as f0 and z; for a spindle, only the\nfirst of these "
       "parameters; for another shaft with preload_N, only preload_N.\n\nWithout DATA, the command "
-      "fits the groove "
-      "conformity, which makers do not print, to\nthe axial rigidities of the bearing in the "
-      "catalogue.\n\nExample:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n  raceway "
-      "calibrate my.toml monday.csv friday.csv --per-record f0,z -o fitted.toml\n  raceway "
-      "calibrate \"S 6014 C\" -o my.toml");
+      "fits the groove conformity, which makers do not print, to\nthe axial rigidities of the "
+      "bearing in the catalogue.\n\nExample:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n "
+      " raceway calibrate my.toml monday.csv friday.csv --per-record f0,z -o fitted.toml\n  "
+      "raceway calibrate \"S 6014 C\" -o my.toml");
   return [flags] { return run(*flags); };
 }
 

@@ -56,6 +56,7 @@ class Checking {
   void look_at_time() {
     result_.sampling = series_.sampling();
     result_.duration = series_.duration();
+    if (std::isnan(result_.sampling)) return;
     const TimeConstantLimits shown = time_constants_of(series_);
     result_.shortest = shown.shortest;
     result_.longest = shown.longest;

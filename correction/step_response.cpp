@@ -70,7 +70,7 @@ void sample(const DrivenChannel& c, const Series& series, StepResponse& r) {
   r.sampling = static_cast<double>(stride) * c.printed->sampling;
 }
 
-/// Adds what the effects at a channel add to its response or change in it.
+/// Adds what the effects at a channel add to its response or change in it. They change no element.
 void add_effects(const Model& model, const DrivenChannel& c, StepResponse& r) {
   for (const Effect& e : model.effects) {
     const EffectKind& kind = kind_of(e);
@@ -81,7 +81,7 @@ void add_effects(const Model& model, const DrivenChannel& c, StepResponse& r) {
     Answer changed;
     kind.change(e, model, changed);
     changed.sensor_time_constant = 0.0;  // is drawn
-    if (!changed.is_plain()) r.changed_by.push_back(full_id(e));
+    if (!c.element && !changed.is_plain()) r.changed_by.push_back(full_id(e));
   }
 }
 

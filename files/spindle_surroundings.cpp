@@ -410,7 +410,7 @@ std::vector<model::HeatSource> read_heat_sources(ModelTables& tables, const Name
     model::HeatSource source;
     const auto name = s.text("name");
     if (!name) s.fail("name", "[heat] name is missing: it becomes part of the column NAME_heat_W");
-    const auto fail = [&](std::string_view why) {
+    const auto fail = [&](const char* why) {
       s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
     };
     if (!names_a_column(*name)) fail("must be letters, digits and _");

@@ -11,8 +11,7 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr double unknown_runs =
-    0.5;  // share of what states leave of the variance, where nothing tells it
+constexpr double unknown_runs = 0.5;   // share beside the states, where nothing tells it
 constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr double undetermined = 0.5;   // of -2 ln L
 constexpr double worth_even_runs =

@@ -280,9 +280,10 @@ void NoiseSearch::allow_memory(double best) {
     for (const double p : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.87, 0.92, 0.95, 0.97})
       if (p > high_phi && misfit(p, g, shares_) < limit) high_phi = p;
   if (options_.runs && order_.has_runs)
-    for (const double q : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95})
-      if (q * beside_states() > high_g && misfit(phi, q * beside_states(), shares_) < limit)
-        high_g = q * beside_states();
+    for (double q : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95}) {
+      q *= beside_states();
+      if (q > high_g && misfit(phi, q, shares_) < limit) high_g = q;
+    }
   double factor = 1.0;
   if (high_phi > phi) noise_.allowed.push_back(scaled(high_phi, g, shares_, factor));
   if (high_g > g) noise_.allowed.push_back(scaled(phi, high_g, shares_, factor));

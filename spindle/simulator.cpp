@@ -21,6 +21,9 @@ namespace {
 /// Error of a step, of the warmest body; where a run only shows where it leads to [K].
 constexpr double step_tolerance = 0.01, tolerance_of_the_way = 1.0;
 constexpr int most_time_steps = 200000, most_steps_of_the_way = 3000;
+/// Drift time of the machine from which nothing is left to drift [s]; time constants are at most
+/// 100 h. It is finite because a state may be written to a file.
+constexpr double drift_has_ended = 1e9;
 
 /// Cubic between two states with their rates.
 Vector between(const Vector& from, const Vector& to, const Vector& rate_from, const Vector& rate_to,
@@ -432,7 +435,7 @@ Moment Simulator::steady(const Inputs& inputs, Report& report) {
     return Moment{};
   }
   p.last.time = 0.0;
-  p.last.structure_time = std::numeric_limits<double>::infinity();
+  p.last.structure_time = drift_has_ended;
   p.remember(0.0);
   return m;
 }

@@ -116,8 +116,8 @@ struct Moment {
 /// Temperatures of all cells, from which a simulation can continue.
 struct State {
   double time = 0.0;  ///< [s]
-  /// Simulated time since the start from ambient temperature [s]; infinite after the steady state.
-  /// The drift of the machine temperature depends on this time.
+  /// Simulated time since the start from ambient temperature [s]; 1e9 s after the steady state. The
+  /// drift of the machine temperature depends on this time.
   double structure_time = 0.0;
   std::vector<double> temperatures;  ///< [K]
 };

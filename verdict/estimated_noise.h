@@ -20,8 +20,8 @@ struct EstimatedNoise {
 /// Estimates the noise of each channel as a diagnosis does (fit::NoiseModel), for data without
 /// declared noise and without repeats. The estimate comes from the residuals of a regression on
 /// smooth functions and all candidates, not from the misfit of the model. The result is empty if a
-/// diagnosis of these data is impossible, and for a correction, whose residuals stay correlated in
-/// time (fit::Subject::approximates()).
+/// diagnosis of these data is impossible, and for a spindle model or a correction, whose residuals
+/// stay correlated in time (fit::Subject::approximates()).
 [[nodiscard]] std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(
     const fit::Subject& subject, const record::Record& record);
 

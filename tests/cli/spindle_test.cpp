@@ -381,6 +381,7 @@ TEST_F(SpindleCommand, SpeedAloneIsRefused) {
 TEST_F(SpindleCommand, StateOfOtherCellsIsRefused) {
   const std::string state = scratch_.file("state.json");
   ASSERT_EQ(spindle("--speed 3000 --steady --end-state " + state).status, 0);
+  EXPECT_EQ(spindle(profile() + "--start " + state).status, 0);
   const Result r = spindle(profile() + "--start " + state, base_spindle);
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.err, HasSubstr("another mesh"));

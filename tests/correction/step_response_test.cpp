@@ -159,6 +159,12 @@ TEST(StepResponse, OfADelayElementIsShownAtTheMedianAndTheLargestPowerThatItTake
   EXPECT_NEAR(list[0].parts.front().time_constant, 4000, 1e-6);
   EXPECT_NEAR(list[1].step, 100.0, 1e-9);
   EXPECT_NEAR(list[1].parts.front().time_constant, 1000, 1e-6);
+
+  model.effects = {{.id = "second-time-constant", .values = {1.25, 9000}}};
+  const StepResponse more = step_responses(model, made.record).front();
+  ASSERT_EQ(more.parts.size(), 2U);
+  EXPECT_NEAR(more.parts[1].gain, 1.25 * 40 * um, 1e-12);
+  EXPECT_EQ(more.parts[1].time_constant, 9000);
 }
 
 TEST(StepResponse, OfPrintedCoefficientsIsTheirOwn) {

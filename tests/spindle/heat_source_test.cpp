@@ -82,6 +82,23 @@ TEST(HeatSource, ArisesWhereItSays) {
     }
 }
 
+TEST(HeatSource, FollowsAPowerThatChangesAtConstantSpeed) {
+  const model::Model model = heated({.name = "own",
+                                     .formula = std::make_shared<const record::Expression>(
+                                         "0.05*motor_power_W", model::heat_variables),
+                                     .place = Place::seal});
+  std::vector<ProfileRow> rows;
+  for (int k = 1; k <= 40; ++k)
+    rows.push_back(
+        {.time = 60.0 * k, .inputs = {.speed = 6000 * rpm, .motor_power = k <= 20 ? 0.0 : 3000.0}});
+  Simulator simulator(model);
+  const auto whole = simulator.simulate(rows);
+  const auto before = simulator.simulate(std::span(rows).first(20));
+  const auto after = simulator.simulate(std::span(rows).subspan(20), &before.end);
+  ASSERT_TRUE(whole.report.converged() && after.report.converged());
+  EXPECT_NEAR(whole.moments.back().displacement, after.moments.back().displacement, 1e-11);
+}
+
 TEST(HeatSource, GoesByFormulaOfSpeedLoadAndPower) {
   const auto formula = [](const char* text) {
     return heated(
