@@ -14,7 +14,7 @@ constexpr double ten_minutes = 600.0;
 constexpr std::size_t fewest_readings = 3, most_readings = 20;
 constexpr double of_median = 1.4826;  // standard deviation of what is normally distributed
 constexpr double unusual = 5.0;
-constexpr double of_rows_beside = 4.0, longer_step = 1.5;
+constexpr double longer_step = 2.0;
 constexpr std::size_t rows_of_one_speed = 3;
 
 /// Where the straight line through readings [first, last) stands at a time.
@@ -89,23 +89,26 @@ std::vector<double> leaps(const record::Record& record, const record::Channel& d
   return found;
 }
 
-std::vector<std::size_t> leaping_rows(const record::Record& record, const record::Channel& column) {
+std::vector<std::size_t> leaping_rows(const record::Record& record, const record::Channel& column,
+                                      Leap least) {
   const std::span<const double> read = record.values(column), speed = record.values(record::speed);
   const std::span<const double> time = record.values(record::time);
+  const auto step = [&](std::size_t k) { return time[k] - time[k - 1]; };
   const auto is_steady = [&](std::size_t k) {
-    if (record.run_of(k) != record.run_of(k - 1)) return false;
-    if (time[k] - time[k - 1] > longer_step * (time[k - 1] - time[k - 2])) return false;
+    if (step(k) > longer_step * std::max(step(k - 1), step(k + 1))) return false;
+    for (std::size_t j = k - 2; j <= k + 1; ++j)
+      if (record.run_of(j) != record.run_of(k)) return false;
     for (std::size_t j = k > rows_of_one_speed ? k - rows_of_one_speed : 0; j <= k; ++j)
       if (!speed.empty() && speed[j] != speed[k]) return false;
     return true;
   };
+  const auto rate = [&](std::size_t k) { return std::abs(read[k] - read[k - 1]) / step(k); };
   std::vector<std::size_t> rows;
   for (std::size_t k = 2; k + 1 < read.size(); ++k) {
     if (!is_steady(k)) continue;
     const double leap = std::abs(read[k] - read[k - 1]);
-    const double beside =
-        std::max(std::abs(read[k - 1] - read[k - 2]), std::abs(read[k + 1] - read[k]));
-    if (leap > seen_leap_of_a_sensor && leap > of_rows_beside * beside) rows.push_back(k);
+    const double beside = std::max(rate(k - 1), rate(k + 1)) * step(k);
+    if (leap > least.size && leap > least.of_beside * beside) rows.push_back(k);
   }
   return rows;
 }

@@ -8,8 +8,8 @@
 
 namespace raceway::correction {
 
-/// Returns the times at which a displacement jumps [s], each halfway between two readings. A
-/// collet, a probe or a cable can cause a jump.
+/// Returns the times at which a displacement jumps [s]. Each time is halfway between two readings.
+/// A loose collet, probe or cable can cause a jump.
 ///
 /// For each pair of successive readings, one straight line is fitted to the readings of about ten
 /// minutes up to the earlier reading, and another line to the readings of about ten minutes from
@@ -22,16 +22,24 @@ namespace raceway::correction {
 [[nodiscard]] std::vector<double> leaps(const record::Record& record,
                                         const record::Channel& displacement);
 
-/// Smallest jump of a temperature that is detected [K]. Smaller jumps may be steps of the last
-/// digit.
+/// Smallest temperature jump that is detected [K]. A smaller jump may be a change of the last digit
+/// of the reading.
 inline constexpr double seen_leap_of_a_sensor = 0.5;
 
-/// Returns the indices of rows at which a temperature jumps, faster than a body with heat capacity
-/// can. The change from the previous row exceeds 0.5 K, and is more than four times the previous
-/// change and the next change. The rows before and after the jump must belong to one run. The time
-/// step of the jump must be at most 1.5 times the time step before it. The speed must be the same
-/// in the row of the jump and the three rows before it.
+/// Limits above which a change of temperature between two rows is a jump.
+struct Leap {
+  double size = seen_leap_of_a_sensor;  ///< change [K]
+  /// Change divided by the change that the usual rate would cause in the same time step [1]. The
+  /// usual rate is the higher of the rates before and after the jump.
+  double of_beside = 4.0;
+};
+
+/// Returns the indices of rows at which a temperature jumps. At such a row, the change from the
+/// previous row exceeds both limits in `least` (see Leap). A body with heat capacity cannot change
+/// its temperature so fast. The two rows before the jump and the two rows after it must belong to
+/// one run. The time step of the jump must be at most twice the longer of the time steps before and
+/// after it. The speed must be the same in the row of the jump and the three rows before it.
 [[nodiscard]] std::vector<std::size_t> leaping_rows(const record::Record& record,
-                                                    const record::Channel& column);
+                                                    const record::Channel& column, Leap least = {});
 
 }  // namespace raceway::correction

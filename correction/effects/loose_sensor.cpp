@@ -19,7 +19,9 @@ namespace {
 constexpr double most_seen = 0.9;        // share of the rise: above it nothing came loose
 constexpr double told_by_share = 0.15;   // below it the rise is no longer in the reading
 constexpr double two_ends_apart = 0.15;  // by which the shares at both ends may differ
-constexpr std::size_t most_ends = 6;     // that are tried where none shows
+constexpr double error_of_rise = 0.3;    // of a reading above the room [K]
+constexpr Leap faint{.size = 0.25, .of_beside = 3.0};
+constexpr std::size_t most_ends = 6;  // that are tried where none shows
 constexpr double hour = 3600.0;
 
 /// The rows in which a sensor was loose, and which share of the rise it saw at both ends [1].
@@ -40,6 +42,7 @@ class Sensor {
         time_(record_.values(record::time)),
         read_(record_.values(column)),
         leaps_(leaping_rows(record_, column)),
+        faint_leaps_(leaping_rows(record_, column, faint)),
         room_(read_.size()) {
     std::vector<std::span<const double>> ambient;
     for (const record::Column& c : record_.columns)
@@ -53,8 +56,9 @@ class Sensor {
     }
   }
 
-  /// The first time that it came loose. An end that no leap shows lies where the sensor was as cold
-  /// as the room: each such time, the nearest first, and the end of the record.
+  /// The first time that it came loose. An end that no clear leap shows lies at a faint one with
+  /// the same share, or where the sensor was as cold as the room: each such time, the nearest
+  /// first, and the end of the record.
   [[nodiscard]] std::vector<Loose> loose() const {
     for (auto leap = leaps_.begin(); leap != leaps_.end(); ++leap) {
       const double seen = rise(*leap) / rise(*leap - 1);
@@ -63,11 +67,11 @@ class Sensor {
         const auto back = std::find_if(std::next(leap), leaps_.end(), [&](std::size_t row) {
           return std::abs(rise(row - 1) / rise(row) - seen) < two_ends_apart;
         });
-        if (back != leaps_.end()) return {{*leap, *back, seen, rise(*back - 1) / rise(*back)}};
-        for (const std::size_t end : cold_after(*leap, seen))
+        if (back != leaps_.end()) return {between(*leap, *back)};
+        for (const std::size_t end : ends_after(*leap, seen))
           list.push_back({*leap, end, seen, seen});
       } else if (is_share(1.0 / seen)) {
-        for (const std::size_t begin : cold_before(*leap, 1.0 / seen))
+        for (const std::size_t begin : begins_before(*leap, 1.0 / seen))
           list.push_back({begin, *leap, 1.0 / seen, 1.0 / seen});
       }
       if (!list.empty()) return list;
@@ -107,9 +111,27 @@ class Sensor {
     return std::abs(rise(row)) * (1.0 - seen) <
            seen_leap_of_a_sensor * std::max(seen, told_by_share);
   }
-  /// The first row of each cold stretch after a row, and the end.
-  [[nodiscard]] std::vector<std::size_t> cold_after(std::size_t row, double seen) const {
+  /// Loose between two leaps. The share at the smaller rise is the less certain one: where its
+  /// error explains the difference, both ends have the share that fits them best.
+  [[nodiscard]] Loose between(std::size_t begin, std::size_t end) const {
+    const double before = rise(begin - 1), after = rise(end);
+    const double seen = rise(begin) / before, until = rise(end - 1) / after;
+    if (std::abs(seen - until) * std::min(std::abs(before), std::abs(after)) > error_of_rise)
+      return {begin, end, seen, until};
+    const double both =
+        (rise(begin) * before + rise(end - 1) * after) / (before * before + after * after);
+    return {begin, end, both, both};
+  }
+  /// True where the rises of a row and of its loose neighbour have this share.
+  [[nodiscard]] bool fits(std::size_t tight, std::size_t loose, double seen) const {
+    return std::abs(seen * rise(tight) - rise(loose)) < error_of_rise;
+  }
+  /// Rows after a leap at which the sensor may have returned: faint leaps, the first row of each
+  /// cold stretch, and the end.
+  [[nodiscard]] std::vector<std::size_t> ends_after(std::size_t row, double seen) const {
     std::vector<std::size_t> list;
+    for (const std::size_t k : faint_leaps_)
+      if (k > row && list.size() < most_ends && fits(k, k - 1, seen)) list.push_back(k);
     for (bool was = false; row < read_.size() && list.size() < most_ends; ++row) {
       const bool is = is_cold(row, seen);
       if (is && !was) list.push_back(row);
@@ -118,9 +140,12 @@ class Sensor {
     if (list.size() < most_ends) list.push_back(read_.size());
     return list;
   }
-  /// The row behind each cold stretch before a row, and the second of all.
-  [[nodiscard]] std::vector<std::size_t> cold_before(std::size_t row, double seen) const {
+  /// Rows before a leap at which the sensor may have come loose: faint leaps, the row behind each
+  /// cold stretch, and the second of all.
+  [[nodiscard]] std::vector<std::size_t> begins_before(std::size_t row, double seen) const {
     std::vector<std::size_t> list;
+    for (auto k = faint_leaps_.rbegin(); k != faint_leaps_.rend(); ++k)
+      if (*k < row && list.size() < most_ends && fits(*k - 1, *k, seen)) list.push_back(*k);
     for (bool was = false; row > 1 && list.size() < most_ends; --row) {
       const bool is = is_cold(row - 1, seen);
       if (is && !was) list.push_back(row);
@@ -132,7 +157,7 @@ class Sensor {
 
   const record::Record& record_;
   std::span<const double> time_, read_;
-  std::vector<std::size_t> leaps_;
+  std::vector<std::size_t> leaps_, faint_leaps_;
   std::vector<double> room_;
 };
 

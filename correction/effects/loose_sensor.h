@@ -4,16 +4,18 @@
 
 namespace raceway::correction {
 
-/// A temperature sensor was loose for some time: it measured only a fraction of the temperature
-/// rise above ambient. The loose period begins and ends with a jump of the reading. If the record
-/// has only one of the two jumps, faults() tests several positions of the other jump: rows in which
-/// the reading is close to ambient, and the start or end of the record. Only records with one run
-/// are examined.
+/// A temperature sensor was loose for some time, and measured only a fraction of the temperature
+/// rise above ambient. The loose period begins and ends with a jump of the reading. If the reading
+/// has only one clear jump, the time of the other jump is unknown. faults() then tests up to six
+/// times: times of small jumps that give the same fraction, times at which the reading is close to
+/// ambient, and the start or the end of the record. Only records with one run are examined.
 struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",
       .title = "a temperature sensor was loose for a while",
-      .form = "between two times, T_read = T_room + share (T - T_room)",
+      .form =
+          "between two times, T_read = T_room + share (T - T_room) (T_read: reading, T: true "
+          "temperature)",
       .needs = "a temperature of the model that jumps towards the room temperature and back",
       .confused = "a body that cools quickly; offset-jump",
       .numbers = {},

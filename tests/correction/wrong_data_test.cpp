@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -114,6 +115,52 @@ TEST(WrongData, OneEndIsEnough) {
   EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
   EXPECT_THAT(datum_of(d, "loose-sensor"),
               HasSubstr("to 10 h the sensor showed 50 % of the temperature rise"));
+}
+
+/// It returns by a jump that is too small to begin with, and is never as cold as the room.
+TEST(WrongData, AFaintReturnIsFound) {
+  MadeRecord made = machine();
+  constexpr double room = 20.4, seen = 0.5;
+  const double cold = spindle_bearing().to_SI(room);
+  made.with("room_temperature_C", [](double) { return room; });
+  std::vector<double>& read = made.record.find(spindle_bearing())->values;
+  const std::size_t from = 1128;  // 9.4 h
+  std::size_t back = from;
+  while (read[back] - cold > 0.85) ++back;
+  for (std::size_t k = from; k < back; ++k) read[k] = cold + seen * (read[k] - cold);
+  ASSERT_LT(read[back] - read[back - 1], seen_leap_of_a_sensor);
+  const verdict::Diagnosis d = diagnosed(made);
+  ASSERT_FALSE(d.sets.empty()) << d.sentence;
+  EXPECT_THAT(d.sets.front(), ElementsAre("loose-sensor")) << d.sentence;
+  EXPECT_THAT(datum_of(d, "loose-sensor"),
+              HasSubstr(fmt::format("from 9.4 h to {:.3g} h the sensor showed 5",
+                                    made.time[back] / one_hour)));
+}
+
+/// The clock of a logger jitters; a gap may hide a slow change.
+TEST(WrongData, ALeapNeedsNoEvenClockAndNoGap) {
+  MadeRecord made = machine();
+  std::vector<double>& read = made.record.find(spindle_bearing())->values;
+  for (std::size_t k = 700; k < read.size(); ++k) read[k] -= 2.0;
+  std::vector<double>& time = made.record.find(record::time)->values;
+  time[699] -= 6.0;
+  time[700] += 6.0;
+  EXPECT_THAT(leaping_rows(made.record, spindle_bearing()), ElementsAre(700U));
+  for (std::size_t k = 700; k < time.size(); ++k) time[k] += 60.0;
+  EXPECT_THAT(leaping_rows(made.record, spindle_bearing()), testing::IsEmpty());
+}
+
+TEST(WrongData, ALeapLiesWithinOneRun) {
+  for (const std::size_t first : {699U, 700U, 701U}) {
+    MadeRecord made = machine();
+    std::vector<double>& read = made.record.find(spindle_bearing())->values;
+    for (std::size_t k = 700; k < read.size(); ++k) read[k] -= 2.0;
+    std::vector<double> run(read.size(), 0.0);
+    for (std::size_t k = first; k < run.size(); ++k) run[k] = 1.0;
+    made.record.runs = {"monday", "friday"};
+    made.record.set(record::run, std::move(run));
+    EXPECT_THAT(leaping_rows(made.record, spindle_bearing()), testing::IsEmpty()) << first;
+  }
 }
 
 TEST(WrongData, ALeapIsOneOfTheSensorAndNoBody) {
