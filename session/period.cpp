@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -39,9 +40,11 @@ void Period::apply(record::Record& record,
       until.empty() ? std::numeric_limits<double>::infinity() : seconds_of(until, "--until");
   const std::span<const double> time = record.values(record::time);
   std::size_t all = 0, left = 0;
+  std::vector<const record::Channel*> seen;  // several models may predict one reading
   for (const record::Channel* channel : measured) {
     record::Column* const column = record.find(*channel);
-    if (!column) continue;
+    if (!column || std::find(seen.begin(), seen.end(), channel) != seen.end()) continue;
+    seen.push_back(channel);
     for (std::size_t k = 0; k < time.size(); ++k) {
       double& reading = column->values[k];
       if (std::isnan(reading)) continue;
@@ -53,7 +56,8 @@ void Period::apply(record::Record& record,
         reading = std::numeric_limits<double>::quiet_NaN();
     }
   }
-  if (all > 0 && left == 0)
+  if (all == 0) return;  // the command names the missing column
+  if (left == 0)
     throw text::InputError(
         fmt::format("{}: no reading {}{}{}{}: the record goes from 0 to {:.4g} h", record.source,
                     from.empty() ? "" : "from " + from, !from.empty() && !until.empty() ? " " : "",

@@ -262,6 +262,18 @@ TEST_F(Correction, ReadingsCountFromAndUntil) {
       "--from, --until are only for records over time and models with [correction]");
 }
 
+/// Two models of one displacement do not count its readings twice.
+TEST_F(Correction, ThePeriodOfTwoModelsHasTheReadingsOfOne) {
+  const std::string model = corrections + "exact/correction.toml";
+  const auto note = [&](const std::string& models) {
+    const Result r = run("compare " + models + " " + corrections + "exact/train.csv --until 10h");
+    const std::size_t at = r.err.find("chosen period: ");
+    return at == r.err.npos ? r.err : r.err.substr(at, r.err.find('\n', at) - at);
+  };
+  EXPECT_EQ(note(model + " " + model), note(model));
+  EXPECT_THAT(note(model), testing::StartsWith("chosen period: 1201 of "));
+}
+
 TEST_F(Correction, CheckTellsWhatARecordIsWorth) {
   const json d = parsed(run("check " + corrections + "power/correction.toml " + corrections +
                             "power/train.csv --json"));
