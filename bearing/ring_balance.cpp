@@ -39,7 +39,8 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing, const 
                          const EquilibriumOptions& options) {
   const std::size_t given = options.rotations.size();
   if (given > 1 && given != bearing.azimuth().size())
-    throw std::invalid_argument("rotations: give one for each ball, or one for all balls");
+    throw std::invalid_argument(
+        "rotations: give one rotation for each ball, or one rotation for all balls");
   ring.ball.full_centrifugal = full_centrifugal(bearing, p.speed);
   const bool tilts = options.tilt == Tilt::free;
   const double loads[] = {p.axial_load, p.radial_load, p.radial_load_z,
@@ -58,7 +59,8 @@ BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& p,
                        const EquilibriumOptions& options) {
   const std::size_t given = options.rotations.size();
   if (given > 1 && given != bearing.azimuth().size())
-    throw std::invalid_argument("rotations: give one for each ball, or one for all balls");
+    throw std::invalid_argument(
+        "rotations: give one rotation for each ball, or one rotation for all balls");
   const Symmetry symmetry = p.radial_load_z != 0.0 || p.moment_y != 0.0 ? Symmetry::none
                             : p.radial_load != 0.0 || p.moment_z != 0.0 ? Symmetry::mirror
                                                                         : Symmetry::thrust;

@@ -38,7 +38,7 @@ std::string percent(const rig::SensorCalibration& c, double signal) {
 void print_curve(const rig::SensorCalibration& c, const std::string& source) {
   const rig::TorqueSensor& s = c.sensor;
   fmt::print("signal = b0 + b1 M{}{}, signal in V, torque M in N m, fitted to {}\n",
-             c.degree() > 1 ? " + b2 M2" : "", c.degree() > 2 ? " + b3 M3" : "", source);
+             c.degree() > 1 ? " + b2 M^2" : "", c.degree() > 2 ? " + b3 M^3" : "", source);
   fmt::print("{} readings at {} torques, {:.6g} to {:.6g} N m, {:.6g} to {:.6g} V\n\n", c.readings,
              c.torques, s.lowest_torque, s.highest_torque, s.lowest_signal, s.highest_signal);
   TextTable table(

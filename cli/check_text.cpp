@@ -98,7 +98,8 @@ void print_check(const loop::Check& c, const record::Record& data) {
 void print_settings_hold(record::SettingsHold hold) {
   const bool until = hold == record::SettingsHold::until_row;
   fmt::print(
-      "settings (speed, load, feed, coolant) of a row apply from {}; its reading was taken {} "
+      "settings (speed, load, feed, coolant) of a row apply from {}; the reading of the row was "
+      "taken {} "
       "({})\n",
       until ? "the previous row to this row" : "this row to the next row",
       hold == record::SettingsHold::from_row ? "just before the change of the settings"

@@ -163,8 +163,8 @@ void print_comparison(const std::string& model, const Comparisons& comparisons,
                c.rows == 1 ? "" : "s", c.channel->words);
     print_summary(c);
     print_parts("record", c.records, c, [](const verdict::ErrorRange& r) { return r.run; });
-    print_parts("where it fails",
-                std::span(c.where).first(std::min<std::size_t>(c.where.size(), 8)), c, range_text);
+    print_parts("worst ranges", std::span(c.where).first(std::min<std::size_t>(c.where.size(), 8)),
+                c, range_text);
     print_worst(c, data);
     fmt::print("\n{}\n",
                in_colour(c.statement, c.judgement == verdict::Judgement::structure ? Colour::bad

@@ -96,11 +96,12 @@ Run setup_correct(CLI::App& command) {
                   "record over time (CSV); cells of the displacement may be empty")
       ->required()
       ->type_name("");
-  flags->declare_output(command,
-                        "CSV file to write, - for stdout. Columns: time_s, predicted_um, "
-                        "band_low_um and band_high_um (95 %, for a fitted model), the contribution "
-                        "of each channel, residual_um (urad for an angle); with several "
-                        "displacements predicted_COLUMN, CHANNEL_COLUMN, residual_COLUMN");
+  flags->declare_output(
+      command,
+      "CSV file to write, - for stdout. Columns: time_s, predicted_um, band_low_um and "
+      "band_high_um (95 %, for a fitted model), the contribution of each channel, residual_um "
+      "(urad for an angle); with several displacements, the columns are predicted_COLUMN, "
+      "CHANNEL_COLUMN and residual_COLUMN");
   flags->learning.declare(command);
   declare(command, flags->reading);
   declare_beside(command, flags->reading);

@@ -29,7 +29,7 @@ void print_errors(const std::vector<results::Learnt>& list) {
   const CommonUnit unit(list);
   TextTable table({{"displacement", "", true},
                    {"learnt", ""},
-                   {"judged by", ""},
+                   {"tested", ""},
                    {"first zero", unit.head()},
                    {"last zero", unit.head()},
                    {"learning", unit.head()},
@@ -46,9 +46,9 @@ void print_errors(const std::vector<results::Learnt>& list) {
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
       "\nRMS errors of three predictions at the readings that were not used for learning. first "
-      "zero: model\nwithout learning, set to the first used reading of each run. last zero: model "
-      "without learning, set\nto the latest used reading. learning: model with learning. due in: "
-      "time until\nthe next reading is needed\n");
+      "zero: model\nwithout learning; its zero is the first used reading of each run. last zero: "
+      "model without\nlearning; its zero is the latest used reading. learning: model with "
+      "learning. due in: time until\nthe next reading is needed\n");
 }
 
 /// Gains, and those lags that stand out.

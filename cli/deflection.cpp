@@ -61,10 +61,10 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
                    {"to", "N"},
                    {"angle from", "deg"},
                    {"to", "deg"},
-                   {"lost", ""},
+                   {"lost balls", ""},
                    {"K axial", "N/um"},
                    {"K radial", "N/um"},
-                   {"before", "N/um"}});
+                   {"no load", "N/um"}});
   for (std::size_t i = 0; i < r.shaft.bearings.size(); ++i) {
     const bearing::BearingEquilibrium& e = r.shaft.bearings[i];
     const bearing::Vector5& load = r.shaft.loads[i];
@@ -86,11 +86,11 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
   TextTable rollers({{"roller bearing", "", true},
                      {"clearance", "um"},
                      {"radial", "N"},
-                     {"before", "N"},
+                     {"no load", "N"},
                      {"moment", "N m"},
                      {"loaded", "rollers"},
                      {"K radial", "N/um"},
-                     {"before", "N/um"}});
+                     {"no load", "N/um"}});
   for (std::size_t i = 0; i < r.shaft.rollers.size(); ++i) {
     const bearing::RollerEquilibrium &e = r.shaft.rollers[i], &before = r.unloaded->rollers[i];
     rollers.add({r.roller_names[i], number(e.clearance / um),
@@ -135,8 +135,8 @@ Run setup_deflection(CLI::App& command) {
   add_number(command, "--axial-force", flags->axial_force_N, signed_load_range,
              "axial force [N] in addition to a radial force, positive towards the tool");
   add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
-             "moment at the position --at [N m]; a positive moment turns the shaft like a "
-             "positive radial force nearer to the tool");
+             "moment at the position --at [N m]; a positive moment turns the shaft like a positive "
+             "radial force in front of this position");
   add_number(command, "--at", flags->at_mm, session::at_range,
              "position of the force behind the nose face [mm]; default 0");
   command

@@ -157,8 +157,9 @@ void print_intervals(const verdict::Diagnosis& d) {
                    p.unit == "1" ? "" : p.unit, range_text(p.plausible_lower, p.plausible_upper));
   if (d.sets.empty()) return;
   for (const fit::Parameter& b : d.base)
-    fmt::print("{}: {} without, {} with the missing effect{}\n", b.name, number(b.start),
-               number(b.value), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
+    fmt::print("{}: without the effects of the verdict {}, with these effects {}{}\n", b.name,
+               number(b.start), number(b.value),
+               std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
 }
 
 void print_other_bases(const verdict::Diagnosis& d) {

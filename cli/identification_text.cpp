@@ -50,9 +50,9 @@ void print_ahead(const correction::Identification& found) {
     table.add({number(e.from / 3600.0, 3), number(e.rms / um, 3)});
   fmt::print("{}", table.text(terminal_width()));
   fmt::print(
-      "error ahead: RMS error on the rest of the record, of a fit to its first part. The gains are "
-      "the mean\nof {} ridge regressions with different penalties; the weight of each regression "
-      "depends on its error\nahead\n\n",
+      "error ahead: RMS error on the rest of the record after a fit to the first part. The gains "
+      "are the mean\nof {} ridge regressions with different penalties; regressions with a smaller "
+      "error ahead have more\nweight\n\n",
       found.strengths.size());
 }
 

@@ -70,9 +70,11 @@ void count_hidden_messages() {
   if (!state().every)
     for (const auto& [code, count] : state().heard)
       if (count > most_of_a_code && !state().quiet)
-        put_line(code->kind == record::NoteKind::note ? "note: " : "warning: ",
-                 fmt::format("number of further messages of the kind \"{}\": {}; --json lists all",
-                             code->name, count - most_of_a_code));
+        put_line(
+            code->kind == record::NoteKind::note ? "note: " : "warning: ",
+            fmt::format(
+                "number of further messages with the code \"{}\": {}; --json shows all messages",
+                code->name, count - most_of_a_code));
   state().heard.clear();
 }
 

@@ -76,7 +76,7 @@ Run setup_new(CLI::App& command) {
   add_length(command, "--bore", flags->wanted.outline.bore, {1, 5000, "mm"},
              "bore of a bearing that is not in the catalogue, in mm or with a unit (2.7559in)");
   add_length(command, "--outer-diameter", flags->wanted.outline.outer_diameter, {2, 10000, "mm"},
-             "its outer diameter");
+             "outer diameter of a bearing that is not in the catalogue");
   command
       .add_option("--balls", flags->wanted.outline.ball_count, "number of balls, if you know it")
       ->check(CLI::Range(3, 200))

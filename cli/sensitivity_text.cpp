@@ -33,7 +33,7 @@ std::string remark(const results::LocalSensitivity& local) {
   if (local.kink) add("kink");
   if (local.steps_disagree && !local.kink) add("steps disagree");
   if (local.one_sided) add("to one side");
-  if (!std::isfinite(local.derivative)) add("no second value");
+  if (!std::isfinite(local.derivative)) add("no derivative");
   return words;
 }
 

@@ -54,7 +54,7 @@ void check_flags(const SpindleFlags& f) {
         "--speed-profile, use columns of the file",
         "--radial-load");
   if (f.steady && !f.start.empty())
-    fail("--start: a steady state does not depend on its start; remove --start or --steady",
+    fail("--start: a steady state does not depend on a start state; remove --start or --steady",
          "--start");
   if (f.steady && (!f.reading.columns.empty() || f.reading.drop_nan))
     fail("--columns and --drop-nan are only possible with --speed-profile",

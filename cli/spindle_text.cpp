@@ -85,8 +85,8 @@ void print_run(const session::SpindleRun& found) {
     const auto [least, most] =
         std::minmax_element(run.moments.begin(), run.moments.end(), by_displacement);
     fmt::print(
-        "displacement of the nose relative to the flange: {} um at the end, from {} um at {:.6g} s "
-        "to {} um at {:.6g} s\n",
+        "displacement of the nose relative to the flange: {} um at the end, smallest {} um at "
+        "{:.6g} s, largest {} um at {:.6g} s\n",
         number(m.displacement / um), number(least->displacement / um), least->time,
         number(most->displacement / um), most->time);
     fmt::print("front force: {} N at the end, largest value {} N at {:.6g} s\n",

@@ -37,8 +37,10 @@ void check_step_flags(const StepFlags& f) {
     throw text::InputError("raceway step-response: " + why, {.key = key});
   };
   if (f.imports() && !f.speed.empty())
-    refuse("--speed simulates step responses, but --import and --load-case read them; choose one",
-           "--speed");
+    refuse(
+        "--speed simulates step responses, but --import and --load-case read step responses; "
+        "choose one of these flags",
+        "--speed");
   if (f.imports() && (f.steps_loads() || !f.load_speed.empty()))
     refuse(
         "--axial-load and --radial-load simulate load steps, but --import and --load-case read "

@@ -14,13 +14,14 @@ namespace {
 void print_load_steps(const std::vector<spindle::LoadSteps>& loads) {
   fmt::print(
       "\nLoad steps at the nose of the spindle in its steady state: displacement u = u0 + K (1 - "
-      "exp(-t/T)) after the time t; u0: column \"at once\"\n\n");
+      "exp(-t/T)) after the time t; u0: column \"at once\";\nRMS: residual; T unloading: time "
+      "constant after the load is removed\n\n");
   TextTable table({{"step", "", true},
                    {"at once", "um"},
                    {"K", "um"},
                    {"T", "min"},
-                   {"left", "um"},
-                   {"T without it", "min"}});
+                   {"RMS", "um"},
+                   {"T unloading", "min"}});
   for (const spindle::LoadSteps& at : loads)
     for (const spindle::StepResponse& s : at.steps)
       table.add({session::name_of(s), number(s.kinematic / um), number(s.fit.one.gain / um),
@@ -36,19 +37,20 @@ void print_steps(const session::SpindleSteps& steps) {
   const spindle::PowerLaws& laws = steps.laws;
   fmt::print(
       "Step responses of {}: displacement u = kinematic + K (1 - exp(-t/T)) after the time "
-      "t;\npower: friction power P at the end of the step\n\n",
+      "t;\npower: friction power P at the end of the step;\nRMS: residual with one lag (K, T) and "
+      "with two lags (K1, T1, K2, T2)\n\n",
       steps.source);
   TextTable table({{"step", "", true},
                    {"power", "W"},
                    {"kinematic", "um"},
                    {"K", "um"},
                    {"T", "min"},
-                   {"left", "um"},
+                   {"RMS", "um"},
                    {"K1", "um"},
                    {"T1", "min"},
                    {"K2", "um"},
                    {"T2", "min"},
-                   {"left", "um"}});
+                   {"RMS", "um"}});
   for (const spindle::StepResponse& s : responses.steps) {
     const spindle::StepFit& f = s.fit;
     table.add({session::name_of(s), number(s.power_end), number(s.kinematic / um),

@@ -45,7 +45,8 @@ void check_flags(const TableFlags& f) {
     fail("--slab", "--slab needs --format csv, because --merge reads only this format");
   if (!f.slab.empty() && (f.output.empty() || f.json))
     fail("--slab",
-         "--slab needs --output FILE, and excludes --json, because it writes a file for --merge");
+         "--slab needs --output FILE and is not possible with --json, because --slab writes a file "
+         "for --merge");
   f.check_results("table");
   if (!f.plot.empty()) {
     text::require_name_of(f.plot, text::Written::picture);

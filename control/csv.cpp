@@ -17,14 +17,14 @@ namespace {
 using DriveKind = ControlDrive::Kind;
 
 constexpr std::string_view formulas =
-    R"(# One number per row. Displacements in um, temperatures in C, their rises in K, dt = measured time since the last call in s.
-# rise   u = mean of (T - T at the first call) over the inputs, minus the same value of the reference
+    R"(# One number per row. Displacements in um, temperatures in C, their rises in K, dt = time since the previous call in s.
+# rise   u = mean of (T - T at the first call) over the inputs, minus (T - T at the first call) of the reference
 # size   u = mean of the inputs x without sign; with an exponent, mean of x (x/1000)^(exponent - 1), with x at most highest
 # power  u = torque of the friction table [N mm] / 1000 * speed [rpm] * pi/30; the torque is interpolated linearly in the
 #        table, and outside the table it keeps the value at the edge
 # motor  u = exp(-speed/decay_speed) while the speed is above 0, else 0
-# section      s = s + (1 - exp(-dt/time_constant)) * (gain*u - s), with s = 0 at the first call and u of the last call;
-#              if course is straight, add weight * gain * (u now - u of the last call), with
+# section      s = s + (1 - exp(-dt/time_constant)) * (gain*u - s), with u of the previous call; s = 0 at the first call.
+#              If course is straight, add weight * gain * (u now - u of the previous call), with
 #              weight = 1 - (1 - exp(-dt/time_constant))/(dt/time_constant)
 # feedthrough  gain * u now
 # kinematic    A * n^(1 - B*exp(-C*n)), n = speed without sign [rpm]; 0 at n = 0
@@ -35,21 +35,21 @@ constexpr std::string_view formulas =
 
 constexpr std::string_view together_formulas =
     R"(# together     Raise a flag if sqrt(sum of z^2) is above farthest. Each input of the part has one z: the sum of
-#              weight * (input now - mean) over the inputs for which it has a weight; speeds and feeds without sign.
+#              weight * (input now - mean) over the inputs that its rows "weight of INPUT" name; speeds and feeds without sign.
 )";
 
 constexpr std::string_view answer_formulas =
-    R"(# Section with more numbers: f = 1/(1 + speed_factor*speed/10000), with the speed of the last call.
-#   Multiply gain by f^gain_power, and by off_gain if coolant_on was 0 at the last call. Multiply time_constant by f, by
-#   off_time_constant if coolant_on was 0 at the last call, and by falling if (g - s)*gain < 0, where g is the mean of
-#   gain*u of both calls (with u of the last call alone if course is held).
+    R"(# Section with more numbers: f = 1/(1 + speed_factor*speed/10000), with the speed of the previous call.
+#   Multiply gain by f^gain_power, and by off_gain if coolant_on was 0 at the previous call. Multiply time_constant by f,
+#   by off_time_constant if coolant_on was 0 at the previous call, and by falling if (g - s)*gain < 0. Here g is gain
+#   times the mean of u at the previous call and u now (if course is held: u at the previous call only).
 #   The section adds s + direct*(gain*u now - s), with the gain of the table.
 )";
 
 constexpr std::string_view element_formulas =
     R"(# element      s = s + (1 - exp(-dt/T)) * (scale*K - s), with s = 0 at the first call. The gain K and the time constant T
-#              are functions of the u of the last call, calculated from inputs within lowest and highest; K = 0 at u = 0.
-#              If u is below `from` (default 0), or not below `limit`, s keeps its value. The function is a line,
+#              are functions of u at the previous call, calculated from inputs within lowest and highest; K = 0 at u = 0.
+#              If u is below `from` (default 0), or not below `limit`, s keeps its value. Each function is a line,
 #              slope*u + value_at_0, a power law, factor*u^exponent, or a table, which is interpolated linearly and keeps
 #              its end values.
 )";

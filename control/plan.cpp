@@ -184,10 +184,10 @@ class Planner {
           for (const double n : t.speed) made.torque_Nmm.push_back(t({n, axial, radial, T}) / N_mm);
     if (!t.holds({t.speed.front(), made.axial_load_N.front(), made.radial_load_N.front(),
                   temperatures.front()}))
-      note(fmt::format(
-          "channel {}: a load or temperature that no column gives is outside the range of {}; "
-          "the program uses the torque at the edge of the table",
-          channel, t.file));
+      note(
+          fmt::format("channel {}: a load or temperature that is constant in the model is outside "
+                      "the range of {}; the program uses the torque at the edge of the table",
+                      channel, t.file));
     plan_.tables.push_back(std::move(made));
     return plan_.tables.size() - 1;
   }

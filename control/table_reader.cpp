@@ -407,7 +407,9 @@ class TableReader {
     for (const Row& r : read_driven(part, s, section_numbers)) {
       if (r.name != "course") fail_unknown(r);
       if (r.value != "straight" && r.value != "held")
-        fail(r, "\"course\" must be straight or held");
+        fail(r,
+             "\"course\" of a section must be straight (linear between samples) or "
+             "held (constant between samples)");
       s.straight = r.value == "straight";
     }
     a.sections.push_back(std::move(s));

@@ -240,8 +240,8 @@ ArxBaseline arx_baseline(const Model& model, const std::vector<const Channel*>& 
   for (DrivenChannel& c : channels)
     if (c.input.window && !c.input.window->of_input) {
       result.messages.push_back(record::note::limits(
-          fmt::format("channel {}: its window scales the displacement, which is "
-                      "not possible in an ARX model; the window is left out",
+          fmt::format("channel {}: the window of this channel scales the displacement, which is "
+                      "not possible in an ARX model; the window is ignored",
                       c.name),
           {.key = c.name}));
       c.input.window.reset();

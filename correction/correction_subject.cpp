@@ -424,7 +424,7 @@ Effect CorrectionSubject::as_switched_on(const std::string& id) const {
                                         : fmt::format("{}: the model already has this effect", id));
   if (const EffectCard* const card = find_card(id))
     throw std::invalid_argument(
-        card->evidence ? fmt::format("{}: this effect is a fault of the record and has no "
+        card->evidence ? fmt::format("{}: this effect describes a fault of the record and has no "
                                      "parameter, so add cannot write it to a model",
                                      id)
                        : fmt::format("{}: needs {}", id, card->needs));

@@ -197,7 +197,7 @@ class Search {
   }
 
   Identification finish(const Approximation& best) {
-    if (options_.progress) options_.progress(0.95, "fitting single rows");
+    if (options_.progress) options_.progress(0.95, "repeating the fit with all rows");
     tolerance::Recorded rows, whole = *recorded_;
     whole.record = record_;
     const Approximation last = tolerance::refined(slowest_first(best), whole, rows);
@@ -314,8 +314,8 @@ class Search {
             {.key = p.name}));
     if (std::isnan(result_.rms_held_out))
       tell(
-          record::note::limits("there are too few readings for a held-out test: the RMS error of "
-                               "the fit decides the number of sections"));
+          record::note::limits("there are too few readings for a held-out test, so the RMS error "
+                               "of the fit determines the number of sections"));
     if (result_.condition > 1e6)
       tell(record::note::not_identifiable(fmt::format(
           "some fitted parameters are nearly dependent (condition number {:.1e}): the record "

@@ -209,7 +209,7 @@ class Bank {
   void try_strengths() {
     gains_.assign(sums_.size(), {});
     for (const double weight : speed_weights) {
-      step(0.8, "trying ridge strengths");
+      step(0.8, "trying ridge penalties");
       for (const double strength : strengths) {
         StrengthTried t{.strength = strength, .speed_weight = weight, .rms_ahead = 0.0};
         for (std::size_t c = 0; c < sums_.size(); ++c) {
@@ -274,7 +274,7 @@ class Bank {
         [](const StrengthTried& a, const StrengthTried& b) { return a.rms_ahead < b.rms_ahead; });
     if (best->strength == strengths.front() || best->strength == strengths.back())
       result_.messages.push_back(record::note::at_bound(fmt::format(
-          "the best ridge strength, {:g}, is the {} of the tested values", best->strength,
+          "the best ridge penalty, {:g}, is the {} of the tested values", best->strength,
           best->strength == strengths.front() ? "smallest" : "largest")));
   }
 

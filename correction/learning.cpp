@@ -166,7 +166,7 @@ class Learner {
       filter_->reset(the_zero);
       is_due(jumped, row,
              fmt::format("the readings jump by {:.3g} {}: a part of the setup was clamped again or "
-                         "hit, or the model is not valid",
+                         "displaced, or the model is not valid",
                          off / um, unit_of(model_)));
     } else if (has_zero_) {
       remember(off, row);
@@ -194,7 +194,7 @@ class Learner {
     if (sum > chi_squared_of_judged)
       is_due(too_far, row,
              fmt::format("{} consecutive readings have {:.2g} times the RMS error that is expected "
-                         "for a misfit of {:.3g} {}",
+                         "for a model error of {:.3g} {}",
                          judged, std::sqrt(sum / static_cast<double>(judged)), result_.misfit / um,
                          unit_of(model_)));
   }

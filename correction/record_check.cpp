@@ -178,8 +178,8 @@ class Checking {
       for (const Channel* column : c.input.columns)
         if (const double q = quantum_of_column(*column); std::isfinite(q))
           warn(record::note::sensor(
-              fmt::format("channel {}: a step of the last digit of {} ({}) moves the predicted "
-                          "displacement by {:.3g} {} at once",
+              fmt::format("channel {}: a step of the last digit of {} ({}) immediately moves the "
+                          "predicted displacement by {:.3g} {}",
                           c.name, column->name, amount(*column, q),
                           std::abs(c.feedthrough * q) / um, unit_of(model_)),
               {.key = c.name}));
@@ -205,8 +205,8 @@ std::string beyond_element(const Model& model, const record::Record& record) {
       if (series.clock().begins[k + 1] || (x >= takes.lower && x < takes.upper)) continue;
       const std::string_view unit = c.input.unit();
       return fmt::format(
-          "channel {}: {:.4g} {} in {}: the {} is outside the range of a delay element, whose time "
-          "constant is positive only {}",
+          "channel {}: {:.4g} {} in {}: this {} is outside the range of the delay element, because "
+          "the time constant of the element is positive only {}",
           c.name, x, unit, record.place(k), c.input.is_power() ? "power" : "input",
           std::isfinite(takes.lower) && takes.lower != 0.0
               ? fmt::format("from {:.4g} to {:.4g} {}", takes.lower, takes.upper, unit)

@@ -48,11 +48,11 @@
 
 namespace raceway::effects {
 
-/// List of all effects. The two forms of an effect, for rig and shaft, follow each other. To add an
-/// effect, write its file and add its name here; docs/design.md describes all steps. Corrections of
-/// data come first, because the physical effects use the corrected data. Effects on the lubricant
-/// are applied in the order of this list: first the film temperature, then the factors on the
-/// viscous moment.
+/// List of all effects. If an effect has one class for a rig and one for a shaft, the two classes
+/// are adjacent. docs/design.md describes how to add an effect. Corrections of data come first,
+/// because the physical effects use the corrected data. Effects on the lubricant are applied in the
+/// order of this list. FilmSelfHeating, which changes the film temperature, comes before the
+/// effects that multiply the viscous moment by a factor.
 using Catalogue = std::tuple<
     LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, LoadCalibration,
     LoadCellDrift, SetPreload, SupportBearings, TorqueCreep, SpeedHysteresis, PreloadCalibration,

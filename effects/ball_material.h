@@ -11,18 +11,18 @@ namespace raceway::effects {
 /// Balls of the other material: silicon nitride if the model has steel, and steel if the model has
 /// silicon nitride.
 ///
-///   X = (1 - c) X_entered + c X_other       density, elastic modulus, Poisson's ratio
+///   X = (1 - c) X_entered + c X_other       X: density, elastic modulus, Poisson's ratio
 ///
-/// Source:   definition. c = 1 means that the model has the wrong ball material; values between 0
-///           and 1 are only used by the fit.
-/// Domain:   0 <= c <= 1. The effect changes the torque only through ball loads and contacts: the
-///           density changes centrifugal force and gyroscopic moment, and the modulus changes the
-///           contact areas.
+/// Source:   definition. c is the share of the other material; c = 1 means that the model has the
+///           wrong ball material. Values between 0 and 1 have no physical meaning; they occur
+///           during a fit.
+/// Domain:   0 <= c <= 1. The effect changes the torque because the density changes the centrifugal
+///           force and gyroscopic moment of the balls, and the modulus changes the contact areas.
 ///
-/// In the sets of a shaft, the effect assumes that the bearings were mounted with balls of the
-/// other material. A preload entered as a force remains unchanged, because that force was set. A
-/// preload entered as an offset or a class keeps the gap between the ring faces, so stiffer balls
-/// increase the preload force.
+/// For the bearing sets of a shaft, the effect assumes that the bearings were mounted with balls of
+/// the other material. A preload given as a force remains unchanged, because this force was set at
+/// mounting. A preload given as an offset or a class fixes the gap between the ring faces, so
+/// stiffer balls increase the preload force.
 struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "the ball material differs from the entered material";
@@ -30,7 +30,8 @@ struct BallMaterial {
       "Ceramic balls have 0.41 times the mass of steel balls and are stiffer. At speed, ceramic "
       "balls load the outer race less and have a smaller gyroscopic moment.";
   static constexpr std::string_view formula =
-      "density, modulus and Poisson's ratio are changed by the share c towards the other material";
+      "X = (1 - c) X_entered + c X_other for density, elastic modulus and Poisson's ratio "
+      "of the balls (c: share)";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 4> confused_with{
       "elastic-hysteresis", "gyroscopic-slip", "spin-friction", "preload_N"};

@@ -11,7 +11,7 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm) (ν/20 mm²/s)
 ///
-/// c is the moment at 10 000 rpm and 20 mm²/s.
+/// c is the moment at 10 000 rpm and a viscosity ν of 20 mm²/s.
 /// Source:   Petroff's law for a lightly loaded plain bearing [Harris2006, vol. 2, ch. 5]: the
 ///           moment is proportional to speed and viscosity. c is fitted.
 /// Domain:   every speed.
@@ -21,7 +21,9 @@ struct CageFriction {
   static constexpr std::string_view mechanism =
       "The cage runs on the land of a ring like a lightly loaded plain bearing. The drag of the "
       "cage is proportional to speed and viscosity.";
-  static constexpr std::string_view formula = "M = c (n/10000 rpm) (nu/20 mm2/s)";
+  static constexpr std::string_view formula =
+      "M = c (n/10000 rpm) (nu/20 mm2/s) (n: speed, nu: viscosity, c: moment at 10000 rpm "
+      "and 20 mm2/s)";
   static constexpr std::string_view source =
       "Petroff's law; Harris and Kotzalas, Rolling Bearing Analysis, vol. 2, ch. 5";
   static constexpr std::array<std::string_view, 4> confused_with{"f0", "viscous-exponent",

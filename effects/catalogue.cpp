@@ -155,9 +155,8 @@ std::string_view text(Need need) {
     case Need::rising_and_falling:
       return "rows with rising and rows with falling speed, with time_s";
     case Need::ball_load_law:
-      return "a law that uses ball loads (contact or contact-powers), or an effect in the model "
-             "that uses them, such as spin-friction: the other base laws use only the bearing "
-             "load, not the loads of the balls";
+      return "the law contact or contact-powers, or an effect that uses the ball loads, such as "
+             "spin-friction: the other base laws depend only on the bearing load";
     case Need::palmgren_law:
       return "a base law other than skf or table: the skf law already contains this effect, and a "
              "friction table may contain it";

@@ -8,13 +8,14 @@
 
 namespace raceway::effects {
 
-/// Growth of the inner ring with the square of speed, for rigs and shafts. Unlike thermal-preload,
-/// this growth follows the speed without lag.
+/// Common part of CentrifugalRingGrowth (a bearing on a rig) and ShaftCentrifugalRingGrowth
+/// (bearing sets of a shaft). The inner ring grows with the square of speed. Unlike the effect
+/// thermal-preload, this growth follows the speed without lag.
 ///
 ///   x = c (n/10 000 rpm)²
 ///
-/// x is the added axial load on a rig, or the radial growth in the sets of a shaft. c is the value
-/// of x at 10 000 rpm.
+/// x is the added axial load on a rig, or the radial growth in the bearing sets of a shaft. c is
+/// the value of x at 10 000 rpm, and n the speed.
 /// Source:   derived. The radius r of a thin free ring grows by ρ ω² r³/E, with density ρ and
 ///           elastic modulus E (steel, r = 45 mm, 10 000 rpm: 3.7 um). The radius of a solid disc
 ///           grows only by (1 - ν)/4 of the growth of the ring (ν: Poisson's ratio).
@@ -34,15 +35,20 @@ struct RingGrowthAtSpeed {
 ///
 ///   F_a -> F_a + c (n/10 000 rpm)²
 ///
-/// In a rigid set, the load is proportional to the growth of the ring; c contains the stiffness of
-/// the set.
+/// F_a is the axial load, n the speed, and c the added load at 10 000 rpm. With a rigid preload,
+/// the added load is proportional to the growth of the ring. c includes the stiffness of the
+/// bearing set.
 struct CentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
-      "Centrifugal force expands the inner ring. In a rigid set the ball loads rise immediately, "
-      "with the square of speed.";
-  static constexpr std::string_view formula = "F_a + c (n/10000 rpm)^2 in place of F_a";
-  static constexpr std::string_view source = "thin ring at speed, rho w^2 r^3/E, derived";
+      "Centrifugal force expands the inner ring. In a rigid set, the ball loads then rise "
+      "with the square of speed, without delay.";
+  static constexpr std::string_view formula =
+      "F_a + c (n/10000 rpm)^2 in place of the axial load F_a (n: speed, c: added load at "
+      "10000 rpm)";
+  static constexpr std::string_view source =
+      "derived from the growth of a thin rotating ring, rho w^2 r^3/E (rho: density, w: "
+      "angular speed, r: radius, E: elastic modulus)";
   static constexpr std::array<std::string_view, 4> confused_with{
       "thermal-preload", "lubricant-drag", "windage", "spin-friction"};
   static constexpr std::string_view settled_by =
@@ -61,23 +67,26 @@ struct CentrifugalRingGrowth : RingGrowthAtSpeed {
   }
 };
 
-/// Radial growth of the inner raceway relative to the outer one, in the sets of a shaft [m].
+/// Radial growth of the inner raceway relative to the outer raceway, in the bearing sets of a shaft
+/// [m].
 ///
 ///   g = c (n/10 000 rpm)²
 ///
-/// The inner groove moves outwards by g. The equilibrium of the sets then has a smaller contact
-/// angle, a higher preload and another position of the shaft. If the sets at both ends have equal
-/// stiffness, the shaft does not move.
+/// g is the growth at the speed n, and c the growth at 10 000 rpm. The inner groove moves outwards
+/// by g. The contact angles then decrease, and the preload rises. The shaft moves axially, unless
+/// the bearing sets at both ends have equal stiffness.
 struct ShaftCentrifugalRingGrowth : RingGrowthAtSpeed {
   static constexpr Form form = Form::shaft;
   static constexpr std::string_view mechanism =
-      "Centrifugal force expands the inner rings. The contact angles fall and the preload rises "
-      "immediately, with the square of speed.";
+      "Centrifugal force expands the inner rings. The contact angles then fall and the "
+      "preload rises with the square of speed, without delay.";
   static constexpr std::string_view formula =
-      "inner raceway grows by c (n/10000 rpm)^2 in radius, in the equilibrium of the sets";
+      "in the equilibrium of the sets, the radius of the inner raceway grows by c (n/10000 "
+      "rpm)^2 (n: speed, c: growth at 10000 rpm)";
   static constexpr std::string_view source =
-      "from a thin ring at speed, rho w^2 r^3/E, to a solid disc, (1 - nu)/4 of this value; "
-      "derived";
+      "derived; c lies between the growth of a thin rotating ring, rho w^2 r^3/E, and of a "
+      "solid disc, (1 - nu)/4 of this value (rho: density, w: angular speed, r: radius, E: "
+      "elastic modulus, nu: Poisson's ratio)";
   static constexpr std::array<std::string_view, 4> confused_with{
       "thermal-preload", "shaft-contraction", "interference-fit", "mounting"};
   static constexpr std::array parameters{Parameter{.name = "growth_at_10000_rpm_um",

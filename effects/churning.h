@@ -8,23 +8,25 @@
 
 namespace raceway::effects {
 
-/// Friction moment of the churned oil bath [N m].
+/// Friction moment from churning of the oil bath [N m].
 ///
 ///   M = c (n/10 000 rpm)^0.621 (ν/20 mm²/s)^1.379
 ///
-/// c is the moment at 10 000 rpm and 20 mm²/s.
+/// n is the speed, ν the viscosity, and c the moment at 10 000 rpm and 20 mm²/s.
 /// Source:   exponents of the second term of the drag moment in the SKF catalogues from 2013 on,
-///           1.093e-7 n² d_m³ (n d_m² f_t/ν)^-1.379 R_s. The factors f_t and R_s of SKF depend on
-///           the oil level; c contains them.
-/// Domain:   speed >= 0, viscosity > 0; zero at standstill. Oil bath only.
+///           1.093e-7 n² d_m³ (n d_m² f_t/ν)^-1.379 R_s. d_m is the pitch diameter. The factors f_t
+///           and R_s of SKF depend on the oil level; c contains them.
+/// Domain:   oil bath; speed >= 0, viscosity > 0. M is zero at standstill.
 struct Churning {
   static constexpr std::string_view id = "churning";
   static constexpr std::string_view title = "churning of the oil bath";
   static constexpr std::string_view mechanism =
       "Balls stir the oil in the bearing. The resistance of this viscous flow grows more with "
       "viscosity than with speed.";
-  static constexpr std::string_view formula = "M = c (n/10000 rpm)^0.621 (nu/20 mm2/s)^1.379";
-  static constexpr std::string_view source = "exponents of the SKF drag moment, second term";
+  static constexpr std::string_view formula =
+      "M = c (n/10000 rpm)^0.621 (nu/20 mm2/s)^1.379 (n: speed, nu: viscosity, c: moment at "
+      "10000 rpm and 20 mm2/s)";
+  static constexpr std::string_view source = "exponents of the second term of the SKF drag moment";
   static constexpr std::array<std::string_view, 3> confused_with{"f0", "viscous-exponent",
                                                                  "cage-friction"};
   static constexpr std::string_view settled_by = "the torque with less oil in the bearing";

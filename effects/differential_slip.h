@@ -12,15 +12,17 @@ namespace raceway::effects {
 ///
 ///   M = μ Σ 0.0806 Q a²/R ω_roll/ω       over all contacts,  R = 2 f D/(2 f + 1)
 ///
-/// Q is the contact load, a the semi-major axis of the contact ellipse, f the conformity, and D the
-/// ball diameter. For ω_roll/ω see sum_over_contacts().
-/// Source:   derived. The common surface of ball and groove has the radius R across the rolling
-///           direction, so the slip speed at a distance y from the centre is ω_roll (y² - y0²)/(2
-///           R), zero at y = y0. With the Hertz pressure integrated along the rolling direction,
-///           the friction forces balance at y0 = 0.347 a. The friction power is then 0.1611 μ Q
-///           ω_roll a²/(2 R). The usual estimate of the moment is about 0.1 μ Q a²/R.
-/// Domain:   converged equilibrium, else NaN.
-/// Accuracy: the law uses only slip along the rolling direction. If the ball also spins in the
+/// μ is the friction coefficient, Q the contact load, a the semi-major axis of the contact ellipse,
+/// f the conformity, and D the ball diameter. ω_roll/ω is the ratio of rolling speed to shaft
+/// speed; see sum_over_contacts().
+/// Source:   derived. The contact surface of ball and groove has the radius R across the rolling
+///           direction. The slip speed at a distance y from the centre is therefore ω_roll (y² -
+///           y0²)/(2 R), which is zero at y = y0. With the Hertz pressure integrated along the
+///           rolling direction, the friction forces balance at y0 = 0.347 a. The friction power of
+///           a contact is then 0.1611 μ Q ω_roll a²/(2 R). The usual estimate of the moment is
+///           about 0.1 μ Q a²/R.
+/// Domain:   converged equilibrium of the balls; otherwise M is NaN.
+/// Accuracy: the formula uses only slip along the rolling direction. If the ball also spins in the
 ///           contact, the true moment is smaller.
 struct DifferentialSlip {
   static constexpr std::string_view id = "differential-slip";
@@ -29,7 +31,9 @@ struct DifferentialSlip {
       "The points of the curved contact ellipse have different radii, so only two lines of the "
       "ellipse roll without slip; the rest slides forward or backward.";
   static constexpr std::string_view formula =
-      "M = sum of 0.0806 mu Q a^2/R w_roll/w over the contacts, R = 2 f D/(2 f + 1)";
+      "M = sum of 0.0806 mu Q a^2/R w_roll/w over the contacts, R = 2 f D/(2 f + 1) (mu: "
+      "friction coefficient, Q: contact load, a: half length of the contact ellipse, f: "
+      "conformity, D: ball diameter, w_roll: rolling speed, w: shaft speed)";
   static constexpr std::string_view within_contacts =
       "mu_boundary under [friction], limiting_traction under [lubricant]";
   static constexpr std::string_view not_for_rollers =

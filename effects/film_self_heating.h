@@ -13,23 +13,26 @@ namespace raceway::effects {
 ///
 ///   ν = ν(T_film),   T_film = T + R P(T_film),   P = M(ν(T_film)) ω
 ///
-/// T is the temperature of the row, R the thermal resistance between film and sensor, P the
-/// friction power, and ω the shaft speed. M is the viscous moment of the base law without other
-/// effects on the lubricant, or the whole moment of the contact law. Usually P falls as the
-/// temperature rises. T_film then has one solution, between T and T + R P(T). If P rises with
-/// temperature because asperities touch, the lowest solution for T_film is above T + R P(T).
-/// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
-/// Domain:   speed >= 0, R >= 0. The data cannot distinguish self-heating from a temperature sensor
-///           far from the film.
+/// T is the recorded temperature, R the thermal resistance between film and sensor, P the friction
+/// power, and ω the shaft speed. M is the viscous moment of the friction law without other effects
+/// on the lubricant. For the contact law, M is the whole friction moment. Usually P falls as the
+/// temperature rises. The equation for T_film then has one solution, between T and T + R P(T). If P
+/// rises with temperature because asperities touch, the lowest solution is above T + R P(T).
+/// Source:   heat balance with one resistance R; R of 5 to 40 K/kW is assumed for a spindle
+///           bearing.
+/// Domain:   speed >= 0, R >= 0. Self-heating and a large distance between sensor and film have the
+///           same influence on the data.
 struct FilmSelfHeating {
   static constexpr std::string_view id = "film-self-heating";
   static constexpr std::string_view title = "oil film hotter than the temperature sensor";
   static constexpr std::string_view mechanism =
-      "The friction power heats the oil film above the measured temperature. The viscosity of the "
-      "film falls, most at high speed and viscosity.";
+      "The friction power heats the oil film above the measured temperature, so the "
+      "viscosity of the film falls. The effect is largest at high speed and high viscosity.";
   static constexpr std::string_view formula =
-      "nu at T_film = T + R P, P = M0 w at the film temperature itself";
-  static constexpr std::string_view source = "heat balance with one resistance; range assumed";
+      "viscosity nu at T_film = T + R P, with the power P = M0 w calculated at T_film (T: "
+      "recorded temperature, R: thermal resistance, M0: viscous moment, w: shaft speed)";
+  static constexpr std::string_view source =
+      "heat balance with one thermal resistance; the usual range is assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "inlet-shear-heating", "replenishment-starvation", "shear-thinning", "viscous-exponent"};
   static constexpr std::string_view settled_by =
@@ -83,8 +86,7 @@ struct FilmSelfHeating {
     film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
   }
 
-  /// M is convex in T, so the temperature from a tangent is never above the film temperature and
-  /// comes closer in each step.
+  /// Solves the equation for T_film by Newton's method.
   static bool lubricant_by_tangents(const LubricantInputs& in, std::span<const double> values,
                                     double temperature, const TangentAbout& tangent_about,
                                     Film& film) {

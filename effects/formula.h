@@ -13,7 +13,7 @@ namespace raceway::effects {
 
 using record::FormulaError;
 
-/// A user-defined friction moment. Several threads may call moment() at the same time.
+/// User-defined friction moment. Several threads may call moment() at the same time.
 class OwnMoment {
  public:
   virtual ~OwnMoment() = default;
@@ -25,9 +25,9 @@ class OwnMoment {
   [[nodiscard]] virtual bool stands_in_files() const { return true; }
 };
 
-/// A user-defined friction moment as a formula in the units of the files: "c * (speed_rpm/1000)^2"
-/// in N mm. The formula may use the names in variables() and the parameters of the effect, with the
-/// operators and functions of muParser. Several threads may evaluate the formula at the same time.
+/// User-defined friction moment [N mm] as a formula, such as "c * (speed_rpm/1000)^2". The formula
+/// may use the names in variables() and the parameters of the effect, with the operators and
+/// functions of muParser. Several threads may evaluate the formula at the same time.
 class Formula : public OwnMoment {
  public:
   /// Throws FormulaError for an invalid formula, and for a name that is neither a variable nor a
@@ -36,8 +36,8 @@ class Formula : public OwnMoment {
 
   [[nodiscard]] double moment(const MomentInputs& inputs,
                               std::span<const double> values) const override;
-  /// Returns true if a zero value of this parameter makes the moment zero everywhere, and another
-  /// value does not.
+  /// Returns true if this parameter scales the effect: the moment is zero at every operating point
+  /// when the parameter is 0, but not when the parameter is 1. `values` gives the other parameters.
   [[nodiscard]] bool is_size(std::size_t parameter, std::span<const double> values) const;
   /// Returns true if the formula contains the variable.
   [[nodiscard]] bool uses(std::string_view variable) const;
@@ -46,13 +46,13 @@ class Formula : public OwnMoment {
     std::string_view name;
     std::string_view meaning;
     double (*computed)(const MomentInputs&) = nullptr;
-    /// Recorded channel that gives the value, in the unit of the channel; null for a variable of
-    /// the bearing state.
+    /// Recorded channel that gives the value, in the unit of the channel. The pointer is null if
+    /// the value comes from the bearing state.
     const record::Channel* channel = nullptr;
     [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
   /// Returns the variables that a formula may contain in addition to its parameters. Every input
-  /// that a record may contain is a variable.
+  /// channel of a record is a variable.
   [[nodiscard]] static std::span<const Variable> variables();
 
  private:
@@ -64,11 +64,11 @@ struct UserMadeEffect {
   struct Number {
     std::string name, unit;
     double value = 0.0;
-    double lower = unset, upper = unset;  ///< NaN: no bound
+    double lower = unset, upper = unset;  ///< bounds for a fit; NaN means that there is no bound
   };
   std::string id;
   std::string title;
-  std::string torque_Nmm;  ///< the formula
+  std::string torque_Nmm;  ///< formula of the friction moment [N mm]
   std::vector<Number> parameters;
 };
 
@@ -76,7 +76,8 @@ struct UserMadeEffect {
 /// invalid formula.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given);
 /// Creates an effect from a moment that is not a formula. `torque_Nmm` describes the moment in
-/// words. To switch the effect off, the first parameter whose bounds include zero is set to zero.
+/// words. The first parameter whose bounds include 0 is the size of the effect: at 0, the effect is
+/// off.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment);
 
 }  // namespace raceway::effects

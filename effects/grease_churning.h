@@ -13,22 +13,25 @@ namespace raceway::effects {
 ///
 ///   M = A M0 exp(-t/τ)
 ///
-/// M0 is the viscous moment of the base law, t the time of the row, A the relative increase of M0
-/// at t = 0, and τ the time constant of the decay.
-/// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
-///           and τ of 1 to 20 h, applied to the viscous moment, because churning does not depend on
-///           load.
-/// Domain:   needs the time of each row in the file; churning begins at t = 0. Grease only.
+/// M0 is the viscous moment of the friction law without effects, t the time, A the relative
+/// increase of M0 at t = 0, and τ the time constant of the decay.
+/// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)), with A of 0.5 to 4
+///           and τ of 1 to 20 h. The program applies this formula to the viscous moment, because
+///           churning does not depend on load.
+/// Domain:   grease lubrication. The record must contain the time of each row, and churning begins
+///           at t = 0.
 struct GreaseChurning {
   static constexpr std::string_view id = "grease-churning";
   static constexpr std::string_view title = "running-in of fresh grease";
   static constexpr std::string_view mechanism =
-      "The balls churn fresh grease until it is distributed. The viscous moment is higher at first "
-      "and falls over hours.";
-  static constexpr std::string_view formula = "M = A M0 exp(-t/tau)";
-  static constexpr std::string_view source = "[Lugt2009], original not seen";
+      "The balls churn fresh grease until it is distributed. During this running-in, the "
+      "viscous moment is higher, and it falls over hours.";
+  static constexpr std::string_view formula =
+      "M = A M0 exp(-t/tau) (A: factor, M0: viscous moment, t: time, tau: decay time)";
+  static constexpr std::string_view source = "[Lugt2009]; the original was not available";
   static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift", "f0"};
-  static constexpr std::string_view settled_by = "a repetition of the first points at the end";
+  static constexpr std::string_view settled_by =
+      "a repetition of the first points at the end of the test";
   static constexpr std::array parameters{Parameter{.name = "factor",
                                                    .unit = "1",
                                                    .initial = 0.5,

@@ -11,18 +11,19 @@ namespace raceway::effects {
 ///
 ///   M = c Σ M_g
 ///
-/// M_g is the gyroscopic moment of one ball, and the sum is over all balls. The effect is a
-/// candidate for a misfit that grows with the square of speed. The moment of the effect also grows
-/// with load, through the contact angle at the outer race. The moment is not the friction of
-/// gyroscopic sliding: the axis of M_g is perpendicular to the shaft, so the gyroscopic moments do
-/// not brake the shaft. Sliding dissipates the power Σ M_f ω_slip, which needs the moment
-/// Σ M_f ω_slip/ω on the shaft (M_f: friction moment on a ball, ω: speed of the shaft). Sliding
-/// begins only above the friction limit, M_g > about μ Q D/2 (μ: friction coefficient, Q: contact
-/// load, D: ball diameter). This effect has no threshold and no slip speed, and c is not a friction
-/// coefficient.
+/// M_g is the gyroscopic moment of one ball, c a fitted factor, and the sum is over all balls. The
+/// effect can describe a residual that grows with the square of speed. M also grows with the load,
+/// because M_g depends on the contact angle at the outer race.
+///
+/// M is not the friction moment of gyroscopic sliding. The axis of M_g is perpendicular to the
+/// shaft, so the gyroscopic moments do not brake the shaft. Real sliding dissipates the power Σ M_f
+/// ω_slip and therefore brakes the shaft with the moment Σ M_f ω_slip/ω (M_f: friction moment on a
+/// ball, ω_slip: slip speed of the ball, ω: shaft speed). Sliding begins above the friction limit,
+/// M_g > about μ Q D/2 (μ: friction coefficient, Q: contact load, D: ball diameter). This effect
+/// has no such limit and no slip speed, and c is not a friction coefficient.
 ///
 /// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; M = c Σ M_g is empirical.
-/// Domain:   converged equilibrium, else NaN; zero at standstill.
+/// Domain:   converged equilibrium of the balls; otherwise M is NaN. M is zero at standstill.
 struct GyroscopicSlip {
   static constexpr std::string_view id = "gyroscopic-slip";
   static constexpr std::string_view title =
@@ -34,7 +35,8 @@ struct GyroscopicSlip {
       "shaft and does not brake the shaft. A ball slides only above the friction limit; the "
       "program does not compute the power of this sliding.";
   static constexpr std::string_view formula =
-      "M = c sum of M_g over the balls: an empirical shape, not a friction law";
+      "M = c sum of M_g over the balls (M_g: gyroscopic moment of a ball, c: share): an "
+      "empirical formula, not a friction law";
   static constexpr std::string_view within_contacts =
       "race_control = \"balanced\" under [solver], with which the ball rotation follows from the "
       "tractions";

@@ -13,17 +13,21 @@ namespace raceway::effects {
 ///
 ///   1 / (1 + c 1.84e-9 (n d_m)^1.28 ν^0.64)      n [rpm], d_m [mm], ν [mm²/s]
 ///
-/// c = 1 is the published law, inlet_shear_factor() in friction/skf.h.
+/// n is the speed and ν the viscosity. c = 1 gives the published formula, see inlet_shear_factor()
+/// in friction/skf.h.
 /// Source:   [SKFGeneral, p. 91-101]. d_m is the mean of bore and outer diameter.
-/// Domain:   speed >= 0, viscosity > 0; 1 at standstill.
+/// Domain:   speed >= 0, viscosity > 0. The factor is 1 at standstill.
 struct InletShearHeating {
   static constexpr std::string_view id = "inlet-shear-heating";
   static constexpr std::string_view title = "shear heating in the inlet of the contacts";
   static constexpr std::string_view mechanism =
-      "Only a small part of the lubricant in front of a ball passes through the contact; the rest "
-      "flows back, is sheared and heats up. The film is therefore thinner than with the bulk "
-      "viscosity, most at high speed.";
-  static constexpr std::string_view formula = "M0 / (1 + c 1.84e-9 (n d_m)^1.28 nu^0.64)";
+      "Only a small part of the lubricant in front of a ball passes through the contact; "
+      "the rest flows back, is sheared and heats up. The film is therefore thinner than its "
+      "viscosity at the bearing temperature suggests, most clearly at high speed.";
+  static constexpr std::string_view formula =
+      "M0 / (1 + c 1.84e-9 (n d_m)^1.28 nu^0.64) in place of the viscous moment M0 (c: "
+      "strength, n: speed in rpm, d_m: mean of bore and outer diameter in mm, nu: viscosity "
+      "in mm2/s)";
   static constexpr std::string_view within_contacts =
       "rolling_factor under [friction], which has its own thermal factor";
   static constexpr std::string_view not_for_rollers =

@@ -15,13 +15,13 @@ namespace raceway::effects {
 ///
 ///   F_a,read = s F_a
 ///
-/// F_a,read is the recorded axial load, and F_a the true load.
-/// Source:   definition. Load cells are accurate to 0.1 to 1 % of full scale. A wrong lever arm,
-///           friction in the loading device or a wrong sensitivity causes errors of up to about 20
-///           %.
+/// F_a,read is the recorded axial load, F_a the true load, and s the gain.
+/// Source:   definition. Load cells are accurate to 0.1 to 1 % of full scale. A wrong lever arm, a
+///           wrong sensitivity or friction in the loading device causes errors up to 20 %.
 /// Domain:   s > 0. Palmgren's load moment is a factor z times a power of the load. Without radial
-///           load, z therefore absorbs this error. The error is visible under a radial load and in
-///           effects that use ball loads.
+///           load, a fitted z therefore compensates the load error. A diagnosis can find the load
+///           error if the record has a radial load, or if the model has effects that depend on the
+///           ball loads.
 struct LoadCalibration {
   static constexpr std::string_view id = "load-calibration";
   static constexpr Form form = Form::rig;
@@ -30,11 +30,14 @@ struct LoadCalibration {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: all axial loads of the record have the same relative "
       "error.";
-  static constexpr std::string_view formula = "F_a_read = s F_a";
-  static constexpr std::string_view source = "definition; range assumed";
+  static constexpr std::string_view formula =
+      "F_a_read = s F_a (F_a_read: recorded axial load, F_a: true axial load, s: "
+      "share_read)";
+  static constexpr std::string_view source = "definition; the usual range is assumed";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-offset",
                                                                  "load-exponent"};
-  static constexpr std::string_view settled_by = "the load cell under a known weight";
+  static constexpr std::string_view settled_by =
+      "the reading of the load cell under a known weight";
   static constexpr std::array parameters{Parameter{.name = "share_read",
                                                    .unit = "1",
                                                    .initial = 1.0,

@@ -15,14 +15,16 @@ namespace raceway::effects {
 ///
 ///   F_a -> F_a (1 + c (T - 20 °C))
 ///
-/// c is the relative change of the true load per kelvin, at the same recorded load F_a.
-/// Source:   definition. Compensated cells drift by 0.002 to 0.05 % per kelvin. Heating from one
-///           side, or the expansion of the housing against the loading device, causes ten times
-///           this drift.
-/// Domain:   loads not below zero. T is the temperature of the row (temperature_C); the temperature
-///           of the cell may differ. Under pure axial load, another reference temperature than
-///           20 °C would change the fitted c and the fitted factor z of Palmgren's load moment, but
-///           not the predicted torque.
+/// F_a is the recorded axial load, and the expression on the right is the true load. c is the
+/// change per kelvin [1/K].
+/// Source:   definition. Temperature-compensated load cells drift by 0.002 to 0.05 % per kelvin. If
+///           the cell is heated from one side, or if the housing expands against the loading
+///           device, the drift is about ten times larger.
+/// Domain:   loads not below zero. T is the temperature in the column temperature_C; the
+///           temperature of the load cell may differ. The reference temperature of 20 °C is
+///           arbitrary. Under pure axial load, another reference temperature would change the
+///           fitted c and the fitted factor z of Palmgren's load moment, but not the predicted
+///           torque.
 struct LoadCellDrift {
   static constexpr std::string_view id = "load-cell-drift";
   static constexpr Form form = Form::rig;
@@ -31,12 +33,14 @@ struct LoadCellDrift {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: the gain of the load cell changes with the temperature of "
       "the rig.";
-  static constexpr std::string_view formula = "F_a (1 + c (T - 20 C)) in place of F_a";
-  static constexpr std::string_view source = "definition; range assumed";
+  static constexpr std::string_view formula =
+      "F_a (1 + c (T - 20 C)) in place of the axial load F_a (T: recorded temperature, c: "
+      "drift per kelvin)";
+  static constexpr std::string_view source = "definition; the usual range is assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "spin-friction", "gyroscopic-slip", "thermal-preload", "load-calibration"};
   static constexpr std::string_view settled_by =
-      "the load cell under a known weight, cold and warm";
+      "the reading of the load cell under a known weight, cold and warm";
   static constexpr std::array parameters{Parameter{.name = "percent_per_K",
                                                    .unit = "%/K",
                                                    .initial = 0.0,

@@ -12,29 +12,32 @@ namespace raceway::effects {
 
 /// Additional moment that corrects the load exponent in the load moment [N m]:
 ///
-///   M = M1 ((P0/200 N)^e - 1),   with f1_load = F_b: M1 ((F_b/1000 N)^e - 1)
+///   M = M1 ((P0/200 N)^e - 1)      or, with the option f1_load = "F_b",  M1 ((F_b/1000 N)^e - 1)
 ///
-/// M1 is the load moment of the base law. P0 is the equivalent static load, and F_b the load of the
-/// law M1 = f1 F_b d_m (friction/palmgren.h). The exponent y of the base law becomes y + e. M1 is
-/// unchanged at a medium load of spindle bearings: F_b = 1000 N, or P0 = 200 N. With this reference
-/// load, a fit can separate e from z.
-/// Source:   tests show y from 0.25 to 0.55 instead of 0.33, so e is -0.08 to 0.22 [Palmgren1959,
-///           form of the law; range assumed].
-/// Domain:   every load; zero without load.
+/// M1 is the load moment of the friction law. P0 is the equivalent static load, and F_b the load in
+/// M1 = f1 F_b d_m (friction/palmgren.h). With M added, the load exponent y of the friction law
+/// becomes y + e. M is zero at a medium load of spindle bearings: P0 = 200 N, or F_b = 1000 N. With
+/// this reference load, the fitted e hardly depends on the fitted factor z in f1 = z (P0/C0)^y.
+/// Source:   form of the formula: [Palmgren1959]. The true exponent is assumed to be 0.25 to 0.55
+///           instead of y = 0.33, so e is -0.08 to 0.22.
+/// Domain:   every load; M is zero without load.
 struct LoadExponent {
   static constexpr std::string_view id = "load-exponent";
   static constexpr std::string_view title = "a different exponent of the load moment";
   static constexpr std::string_view mechanism =
-      "The exponent of the load in the load moment is a mean over many bearings. A slightly wrong "
-      "exponent looks like missing physics over the whole range.";
+      "The exponent of the load in the load moment is a mean over many bearings. A slightly "
+      "wrong exponent looks like missing physics over the whole range of loads.";
   static constexpr std::string_view formula =
-      "M1 (P0 / 200 N)^e in place of M1; with f1_load = \"F_b\": M1 (F_b / 1000 N)^e";
+      "M1 (P0 / 200 N)^e in place of the load moment M1 (P0: equivalent static load, e: "
+      "exponent_change); with f1_load = \"F_b\": M1 (F_b / 1000 N)^e (F_b: load in M1 = f1 "
+      "F_b d_m)";
   static constexpr std::string_view within_contacts =
       "rolling_factor under [friction], whose exponents follow from the contacts";
   static constexpr std::string_view not_for_rollers =
       "the load moment of rollers is in proportion to the load";
   static constexpr std::string_view source =
-      "form of Palmgren's law, Ball and Roller Bearing Engineering, 3rd ed.; range assumed";
+      "form of Palmgren's law, Ball and Roller Bearing Engineering, 3rd ed.; the usual "
+      "range is assumed";
   static constexpr std::array<std::string_view, 5> confused_with{
       "z", "y", "differential-slip", "elastic-hysteresis", "load-offset"};
   static constexpr std::array parameters{Parameter{.name = "exponent_change",

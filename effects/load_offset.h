@@ -12,17 +12,19 @@ namespace raceway::effects {
 ///
 ///   F_a -> F_a + c
 ///
-/// Source:   definition. Possible causes: a preload spring, a zero error of the load cell, the pull
-///           of a belt.
-/// Domain:   F_a + c is not below zero.
+/// F_a is the entered axial load, and c the fitted additional load.
+/// Source:   definition. Possible causes are a preload spring, a zero error of the load cell, and
+///           the pull of a belt.
+/// Domain:   F_a + c must not be negative.
 struct LoadOffset {
   static constexpr std::string_view id = "load-offset";
   static constexpr Form form = Form::rig;
   static constexpr std::string_view title = "additional load that was not entered";
   static constexpr std::string_view mechanism =
-      "Springs, a belt or the zero of the load cell add a constant force to the entered load. The "
-      "effect is largest at small entered loads.";
-  static constexpr std::string_view formula = "F_a + c in place of F_a";
+      "Springs, a belt or a zero error of the load cell add a constant force to the entered "
+      "load. The effect is largest at small entered loads.";
+  static constexpr std::string_view formula =
+      "F_a + c in place of the axial load F_a (c: additional force)";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 4> confused_with{"seal-friction", "torque-offset",
                                                                  "load-exponent", "z"};

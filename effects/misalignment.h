@@ -12,8 +12,8 @@ namespace raceway::effects {
 ///
 ///   θ_z -> θ_z + c
 ///
-/// The contact angles and loads of the balls then vary around the ring. The equilibrium is solved
-/// at this tilt.
+/// θ_z is the tilt about the z axis, and c the added tilt. The contact angles and loads of the
+/// balls then vary around the ring.
 /// Source:   definition; 1 to 5 arcmin (0.3 to 1.5 mrad) are usual tolerances of housings.
 /// Domain:   small angles. Without radial load, the sign of c has no influence.
 struct Misalignment {
@@ -22,7 +22,8 @@ struct Misalignment {
   static constexpr std::string_view mechanism =
       "Misaligned shaft and housing bores tilt the rings against each other. The loads and contact "
       "angles then differ from ball to ball.";
-  static constexpr std::string_view formula = "theta_z = c, in the ball equilibrium";
+  static constexpr std::string_view formula =
+      "in the equilibrium of the balls, the inner ring is tilted by c about the z axis";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-offset",
                                                                  "spin-friction"};

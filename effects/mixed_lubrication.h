@@ -13,20 +13,26 @@ namespace raceway::effects {
 ///
 ///   M = μ φ_bl S1 d_m^0.26 (F_r^(4/3) + S2 F_a^(4/3)),   φ_bl = exp(-2.6e-8 (ν n)^1.4 d_m)
 ///
-/// The formula is in its published units: M [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]. The code
-/// converts these units. μ is the coefficient of boundary friction minus the coefficient of the
-/// full film, 0.05 to 0.12. d_m is the mean of bore and outer diameter.
-/// Source:   φ_bl, S1 = 1.30e-2 and S2 = 0.68 of the sliding moment in [SKFGeneral, p. 91-101].
-///           S1 and S2 are for a contact angle of 40 deg, see friction/skf.h.
+/// The formula is in its published units: M [N mm], d_m [mm], radial and axial load F_r and F_a
+/// [N], viscosity ν [mm²/s], speed n [rpm]. The code converts these units. φ_bl is the share of
+/// boundary lubrication. μ is the coefficient of boundary friction minus the coefficient of
+/// full-film friction; the usual range of μ is 0.05 to 0.12. d_m is the mean of bore and outer
+/// diameter.
+/// Source:   sliding moment in [SKFGeneral, p. 91-101], with φ_bl, S1 = 1.30e-2 and S2 = 0.68. S1
+///           and S2 are for a contact angle of 40 deg, see friction/skf.h.
 /// Domain:   speed >= 0; φ_bl is 1 at standstill and 0 with a full film.
 struct MixedLubrication {
   static constexpr std::string_view id = "mixed-lubrication";
   static constexpr std::string_view title = "mixed lubrication at low speed";
   static constexpr std::string_view mechanism =
-      "At low speed or viscosity the film does not separate the surfaces, and the asperities "
-      "touch. Friction then follows the falling left branch of the Stribeck curve.";
+      "At low speed or low viscosity, the film does not separate the surfaces, and their "
+      "asperities touch. The friction then decreases with speed, as on the left branch of "
+      "the Stribeck curve.";
   static constexpr std::string_view formula =
-      "M = mu exp(-2.6e-8 (nu n)^1.4 d_m) 0.013 d_m^0.26 (F_r^(4/3) + 0.68 F_a^(4/3)), N mm";
+      "M = mu exp(-2.6e-8 (nu n)^1.4 d_m) 0.013 d_m^0.26 (F_r^(4/3) + 0.68 F_a^(4/3)), with "
+      "the moment M in N mm, the mean diameter d_m in mm, the viscosity nu in mm2/s, the "
+      "speed n in rpm, and the radial and axial load F_r and F_a in N (mu: friction "
+      "coefficient)";
   static constexpr std::string_view within_contacts =
       "mu_boundary under [friction], race_roughness_um under [bearing]";
   static constexpr std::string_view not_for_rollers =

@@ -12,12 +12,13 @@ namespace raceway::effects {
 ///
 ///   ν40 -> k ν40,   ν100 -> k ν100
 ///
-/// ν40 and ν100 are the kinematic viscosities at 40 °C and 100 °C.
+/// ν40 and ν100 are the kinematic viscosities at 40 °C and 100 °C, and k is the factor.
 /// Source:   definition. Adjacent ISO grades (ISO 3448) differ by a factor of 1.5, and an oil may
-///           deviate by 10 % from the middle of its grade.
-/// Domain:   every viscosity. Palmgren's viscous moment is proportional to ν^(2/3), so f0 absorbs
-///           this error. f0 does not absorb the error at low speed with thin oil (ν n below 2000
-///           mm²/s rpm) or in other terms that depend on viscosity.
+///           deviate by 10 % from the midpoint viscosity of its grade.
+/// Domain:   every viscosity. Palmgren's viscous moment is proportional to f0 ν^(2/3), so a fitted
+///           f0 compensates this error. f0 does not compensate the error at low speed with thin oil
+///           (ν n below 2000 mm²/s rpm; ν: viscosity, n: speed). f0 also does not compensate the
+///           error in other friction terms that depend on viscosity.
 struct LubricantViscosity {
   static constexpr std::string_view id = "lubricant-viscosity";
   static constexpr std::string_view title = "the oil grade differs from the entered grade";
@@ -25,7 +26,9 @@ struct LubricantViscosity {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: the viscosity of the oil in the bearing differs from the "
       "entered viscosity by the same factor at all temperatures.";
-  static constexpr std::string_view formula = "nu40 -> k nu40, nu100 -> k nu100";
+  static constexpr std::string_view formula =
+      "nu40 -> k nu40, nu100 -> k nu100 (nu40 and nu100: viscosity at 40 and 100 C, k: "
+      "factor)";
   static constexpr std::string_view source = "definition; grades of ISO 3448";
   static constexpr std::array<std::string_view, 2> confused_with{"f0", "viscosity-slope"};
   static constexpr std::string_view settled_by =
@@ -40,7 +43,7 @@ struct LubricantViscosity {
                                                    .neutral = 1.0}};
   static constexpr std::array<Need, 0> needs{};
   static constexpr bool of_viscous_moment = true;
-  static constexpr bool for_spindle = false;  // f0 absorbs this error in a spindle
+  static constexpr bool for_spindle = false;  // in a spindle, f0 compensates this error
 
   static void entry(Entry& entry, std::span<const double> values) {
     entry.viscosity_40C *= values[0];
@@ -52,9 +55,10 @@ struct LubricantViscosity {
 ///
 ///   ν100 -> k ν100,   ν40 unchanged
 ///
-/// Source:   definition. The ν100 of oils of one grade differs by some 20 %: at ν40 = 32 mm²/s, a
-///           viscosity index of 95 means ν100 = 5.4 mm²/s, and 150 means 6.1 mm²/s.
-/// Domain:   more than one temperature; k ν100 below ν40.
+/// Source:   definition. The ν100 of two oils of the same grade can differ by about 20 %. For
+///           example, an oil with ν40 = 32 mm²/s has ν100 = 5.4 mm²/s if the viscosity index is 95,
+///           and 6.1 mm²/s if the index is 150.
+/// Domain:   records with more than one temperature; k ν100 must be below ν40.
 struct ViscositySlope {
   static constexpr std::string_view id = "viscosity-slope";
   static constexpr std::string_view title =
@@ -63,7 +67,9 @@ struct ViscositySlope {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: the viscosity of the oil in the bearing falls faster or "
       "more slowly with temperature than in the model.";
-  static constexpr std::string_view formula = "nu100 -> k nu100; nu40 does not change";
+  static constexpr std::string_view formula =
+      "nu100 -> k nu100 (nu100: viscosity at 100 C, k: factor); the viscosity at 40 C does "
+      "not change";
   static constexpr std::string_view source = "definition; viscosity index of ISO 2909";
   static constexpr std::array<std::string_view, 4> confused_with{
       "temperature-offset", "temperature-gain", "churning", "cage-friction"};

@@ -18,8 +18,8 @@ namespace raceway::effects {
 /// P is the entered or recorded preload, and k P the true preload.
 /// Source:   definition. Preload classes have a tolerance of about 20 %. A force set by the
 ///           tightening torque of a nut is less accurate.
-/// Domain:   k > 0. The effect is only for sets preloaded by a force, not for an offset that is
-///           ground into the faces.
+/// Domain:   k > 0. The effect is for sets whose preload is given as a force, not as an offset of
+///           the ring faces.
 struct PreloadCalibration {
   static constexpr std::string_view id = "preload-calibration";
   static constexpr Form form = Form::shaft;
@@ -29,8 +29,8 @@ struct PreloadCalibration {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: all preloads of the model and the record have the same "
       "relative error.";
-  static constexpr std::string_view formula = "k P in place of P";
-  static constexpr std::string_view source = "definition; range assumed";
+  static constexpr std::string_view formula = "k P in place of the preload P (k: factor)";
+  static constexpr std::string_view source = "definition; the usual range is assumed";
   static constexpr std::array<std::string_view, 4> confused_with{"ball-material", "mounting",
                                                                  "interference-fit", "preload_N"};
   static constexpr std::string_view settled_by =

@@ -13,20 +13,24 @@ namespace raceway::effects {
 ///
 ///   exp(-K ν n (d + D) sqrt(K_Z / (2 (D - d))))      ν [mm²/s], n [rpm], d and D [mm], K_Z = 4.4
 ///
-/// d is the bore and D the outer diameter; see replenishment_factor() in friction/skf.h.
+/// ν is the viscosity, n the speed, d the bore and D the outer diameter; see replenishment_factor()
+/// in friction/skf.h.
 /// Source:   [SKFGeneral, p. 91-101]: K = 3e-8 for an oil bath of low level or an oil jet, 6e-8 for
 ///           grease and oil-air.
 ///           K_Z is the value for SKF single row angular contact bearings, see friction/skf.h.
-/// Domain:   speed >= 0. The law is not for an oil bath, because the model assumes that a bath
-///           floods the contacts. Enter a starved bath with a low oil level as an oil jet, which
-///           has the same K.
+/// Domain:   speed >= 0. The formula is not for an oil bath, because the model assumes that a bath
+///           floods the contacts. Enter an oil bath with a low level as an oil jet, which has the
+///           same K.
 struct ReplenishmentStarvation {
   static constexpr std::string_view id = "replenishment-starvation";
   static constexpr std::string_view title = "starvation: lubricant flows back too slowly";
   static constexpr std::string_view mechanism =
       "Each ball pushes the lubricant aside. If the next ball comes before the lubricant has "
       "flowed back, the film is thinner and has less drag.";
-  static constexpr std::string_view formula = "M0 exp(-K nu n (d + D) sqrt(4.4 / (2 (D - d))))";
+  static constexpr std::string_view formula =
+      "M0 exp(-K nu n (d + D) sqrt(4.4 / (2 (D - d)))) in place of the viscous moment M0 "
+      "(K: K_rs, nu: viscosity in mm2/s, n: speed in rpm, d and D: bore and outer diameter "
+      "in mm)";
   static constexpr std::string_view within_contacts = "K_rs under [friction]";
   static constexpr std::string_view not_for_rollers =
       "the constants of the effect are for ball bearings";

@@ -12,19 +12,21 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)
 ///
-/// c is the moment at 10 000 rpm.
-/// Source:   shear of a film of constant height h, η ω A r²/h, derived (η: viscosity, A: area of
-///           the film, r: its radius). η is assumed constant, because the support does not have the
-///           temperature of the bearing.
-/// Domain:   every speed. A measurement without the bearing distinguishes this drag from the
-///           bearing friction.
+/// n is the speed, and c the moment at 10 000 rpm.
+/// Source:   moment of a sheared film of constant height h: η ω A r²/h, derived (η: viscosity, ω:
+///           angular speed, A: area of the film, r: its radius). η is assumed constant, because the
+///           support does not have the temperature of the bearing.
+/// Domain:   every speed. To distinguish this drag from the bearing friction, measure the torque
+///           without the bearing.
 struct RigViscousDrag {
   static constexpr std::string_view id = "rig-viscous-drag";
   static constexpr std::string_view title = "viscous drag of the support of the rig";
   static constexpr std::string_view mechanism =
       "The oil film that carries the housing or the shaft of the rig adds a torque proportional to "
       "speed, which does not depend on the bearing.";
-  static constexpr std::string_view formula = "M_read = M + c (n/10000 rpm)";
+  static constexpr std::string_view formula =
+      "M_read = M + c (n/10000 rpm) (M: bearing torque, n: speed, c: moment of the support "
+      "at 10000 rpm)";
   static constexpr std::string_view source = "shear of a film of constant height, derived";
   static constexpr std::array<std::string_view, 3> confused_with{"cage-friction", "lubricant-drag",
                                                                  "windage"};

@@ -13,18 +13,21 @@ namespace raceway::effects {
 ///
 ///   M = K (1 - s (T - 45 °C)),  not below zero
 ///
-/// K is the moment at 45 °C, and s its relative decrease per kelvin.
+/// K is the moment at 45 °C, s its relative decrease per kelvin, and T the lubricant temperature.
 /// Source:   the moment is independent of speed and load, like the seal moment of [SKFGeneral, p.
-///           91-101]. The linear decrease with temperature is an assumption. The decrease
-///           represents softer rubber and thinner grease.
-/// Domain:   every speed. With s = 0, the data cannot separate this effect from a torque offset.
+///           91-101]. The linear decrease with temperature is an assumption: warm rubber is softer,
+///           and warm grease is thinner.
+/// Domain:   every speed. If s = 0, the effect cannot be distinguished from a zero error of the
+///           torque sensor (torque-offset).
 struct SealFriction {
   static constexpr std::string_view id = "seal-friction";
   static constexpr std::string_view title = "rubbing seals";
   static constexpr std::string_view mechanism =
       "The friction of the seal lips does not depend on speed or load; warm lips are softer and "
       "have less friction.";
-  static constexpr std::string_view formula = "M = K (1 - s (T - 45 C))";
+  static constexpr std::string_view formula =
+      "M = K (1 - s (T - 45 C)), not below zero (K: moment at 45 C, s: slope, T: "
+      "temperature)";
   static constexpr std::string_view source =
       "seal moment of the SKF general catalogue (2006); its decrease with temperature is assumed";
   static constexpr std::array<std::string_view, 4> confused_with{

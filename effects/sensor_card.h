@@ -8,8 +8,8 @@
 
 namespace raceway::effects {
 
-/// Texts and size parameter of a sensor fault on one channel. The laws are the same for every
-/// channel and are defined in sensor_offset.h, sensor_gain.h and sensor_drift.h.
+/// Texts of a sensor fault on one channel, and the parameter that gives the size of the fault. The
+/// formulas of the faults are in sensor_offset.h, sensor_gain.h and sensor_drift.h.
 template <std::size_t confused>
 struct SensorCard {
   const record::Channel& channel;  ///< channel that the sensor measures
@@ -18,7 +18,7 @@ struct SensorCard {
   std::array<std::string_view, confused> confused_with;
   Parameter size;
   bool follows_heat = false;
-  double size_power = 0.0;  ///< exponent of the pitch diameter in the plausible range
+  double size_power = 0.0;  ///< exponent p of the bearing size, see Nature::size_power
   std::string_view settled_by = {};
 };
 

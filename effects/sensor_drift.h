@@ -12,9 +12,9 @@ namespace raceway::effects {
 ///   x_read = x + c (T - T0)/10 K
 ///
 /// x is the true value, and c the drift per 10 K.
-/// Source:   definition. T0 is the temperature at which the sensor was zeroed. T0 is rarely
+/// Source:   definition. T0 is the temperature at which the sensor was set to zero. T0 is rarely
 ///           recorded, so the fit finds T0 within the temperature range of the record.
-/// Domain:   every reading. T is the temperature of the row (temperature_C), not a ring
+/// Domain:   every reading. T is the temperature in the column temperature_C, not a ring
 ///           temperature.
 template <const auto& card>
 struct SensorTemperatureDrift : SensorFault<card> {
@@ -41,7 +41,7 @@ struct SensorTemperatureDrift : SensorFault<card> {
 /// x is the true value, t the time of the row, and c the drift per hour.
 /// Source:   definition. If the points are measured in random order, the data can distinguish the
 ///           drift from the influence of speed and load.
-/// Domain:   needs the time of each row in the file.
+/// Domain:   the record must contain the time of each row.
 template <const auto& card>
 struct SensorTimeDrift : SensorFault<card> {
   static constexpr std::array needs{Need::time};
@@ -52,14 +52,18 @@ struct SensorTimeDrift : SensorFault<card> {
 };
 
 /// Data sheets of torque sensors give a drift of 0.05 to 0.5 % of full scale per 10 K. The full
-/// scale is assumed proportional to the torque of the bearing.
+/// scale is assumed proportional to the torque of the bearing, so the plausible drift grows with
+/// the bearing size.
 inline constexpr SensorCard<3> torque_temperature_drift{
     .channel = record::friction_torque,
     .id = "torque-temperature-drift",
     .title = "zero of the torque sensor drifts with temperature",
     .mechanism =
-        "The zero of the sensor moves with temperature and does not depend on speed or load.",
-    .formula = "M_read = M + c (T - T0)/10 K",
+        "The zero of the sensor moves with temperature. This error does not depend on speed "
+        "or load.",
+    .formula =
+        "M_read = M + c (T - T0)/10 K (M: true torque, c: drift per 10 K, T: temperature, T0: "
+        "temperature at which the zero was set)",
     .confused_with = {"seal-friction", "churning", "cage-friction"},
     .size = {.name = "torque_per_10_K_Nmm",
              .unit = "N mm",
@@ -76,8 +80,9 @@ inline constexpr SensorCard<1> torque_time_drift{
     .id = "torque-time-drift",
     .title = "zero of the torque sensor drifts with time",
     .mechanism =
-        "The zero of the sensor moves steadily from the start of the measurement to its end.",
-    .formula = "M_read = M + c t/1 h",
+        "The zero of the sensor moves at a constant rate from the start to the end of the "
+        "measurement.",
+    .formula = "M_read = M + c t/1 h (M: true torque, c: drift per hour, t: time)",
     .confused_with = {"grease-churning"},
     .size = {.name = "torque_per_hour_Nmm",
              .unit = "N mm",
@@ -87,17 +92,20 @@ inline constexpr SensorCard<1> torque_time_drift{
              .plausible_lower = -20.0,
              .plausible_upper = 20.0},
     .size_power = 3.0,
-    .settled_by = "a repetition of the first points at the end"};
+    .settled_by = "a repetition of the first points at the end of the test"};
 
-/// Data sheets of eddy-current transducers give a drift of 0.02 to 0.05 % of full scale per kelvin,
-/// or 2 to 5 um per 10 K for a range of 1 mm. The displacement caused by ring temperatures is part
-/// of the equilibrium of the sets, not of this effect.
+/// Data sheets of eddy-current transducers give a drift of 0.02 to 0.05 % of full scale per kelvin:
+/// 2 to 5 um per 10 K for a range of 1 mm. This effect does not include the displacement caused by
+/// ring temperatures, which is part of the equilibrium of the bearing sets.
 inline constexpr SensorCard<3> displacement_temperature_drift{
     .channel = record::axial_displacement,
     .id = "displacement-temperature-drift",
     .title = "zero of the displacement transducer drifts with temperature",
-    .mechanism = "Transducer and fixture move with temperature, at any speed.",
-    .formula = "u_read = u + c (T - T0)/10 K",
+    .mechanism =
+        "Transducer and fixture move with temperature, at all speeds including standstill.",
+    .formula =
+        "u_read = u + c (T - T0)/10 K (u: true displacement, c: drift per 10 K, T: "
+        "temperature, T0: temperature at which the zero was set)",
     .source = "definition; data sheets of eddy-current transducers",
     .confused_with = {"thermal-preload", "thermal-ring-growth", "displacement-offset"},
     .size = {.name = "displacement_per_10_K_um",

@@ -12,7 +12,8 @@ namespace raceway::effects {
 ///   x_read = (1 + g) x        x in the unit of the channel, for example in N mm or °C
 ///
 /// x is the true value, and g the relative error.
-/// Source:   definition. `standard` is the known quantity that fixes the scale of the channel.
+/// Source:   definition. The template parameter `standard` is the condition for a fit of g, such as
+///           a known torque that fixes the scale of the sensor.
 /// Domain:   every reading.
 template <const auto& card, Need standard>
 struct SensorGain : SensorFault<card> {
@@ -23,8 +24,8 @@ struct SensorGain : SensorFault<card> {
   }
 };
 
-/// Torque readings alone cannot show this error, because it multiplies all moments by the same
-/// factor.
+/// Torque readings alone cannot show a gain error of the torque sensor, because the error
+/// multiplies all moments by the same factor.
 inline constexpr SensorCard<2> torque_gain{
     .channel = record::friction_torque,
     .id = "torque-gain",
@@ -32,7 +33,7 @@ inline constexpr SensorCard<2> torque_gain{
     .mechanism =
         "The sensor reads all torques too high or too low by the same factor. Only a known torque "
         "shows this error.",
-    .formula = "M_read = (1 + g) M",
+    .formula = "M_read = (1 + g) M (M: true torque, g: relative error)",
     .confused_with = {"f0", "z"},
     .size = {.name = "gain_error",
              .unit = "1",

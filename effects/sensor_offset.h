@@ -23,9 +23,9 @@ struct SensorOffset : SensorFault<card> {
   }
 };
 
-/// In one direction of rotation, the offset cannot be distinguished from seal-friction with slope
-/// zero. In the other direction, the friction torque of the seals changes its sign, and the offset
-/// does not.
+/// If all readings are for one direction of rotation, this offset cannot be distinguished from
+/// constant seal friction. In the other direction, the friction torque of the seals changes its
+/// sign, but the offset does not.
 inline constexpr SensorCard<3> torque_offset{
     .channel = record::friction_torque,
     .id = "torque-offset",
@@ -33,7 +33,7 @@ inline constexpr SensorCard<3> torque_offset{
     .mechanism =
         "The sensor shows a torque when there is none. Readings at standstill before and after the "
         "test, or in the other direction of rotation, show this error.",
-    .formula = "M_read = M + c",
+    .formula = "M_read = M + c (M: true torque, c: zero error)",
     .confused_with = {"seal-friction", "load-offset", "mixed-lubrication"},
     .size = {.name = "torque_Nmm",
              .unit = "N mm",
@@ -54,7 +54,7 @@ inline constexpr SensorCard<3> displacement_offset{
     .mechanism =
         "The transducer was not zeroed on the cold shaft at standstill. Readings at standstill "
         "before and after the test show this error.",
-    .formula = "u_read = u + c",
+    .formula = "u_read = u + c (u: true displacement, c: zero error)",
     .confused_with = {"displacement-temperature-drift", "preload_N", "thermal-ring-growth"},
     .size = {.name = "displacement_um",
              .unit = "um",

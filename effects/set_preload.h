@@ -13,25 +13,29 @@
 
 namespace raceway::effects {
 
-/// Axial load of two preloaded bearings under the entered external load [N].
+/// Equivalent axial load of two bearings that are preloaded against each other, under the entered
+/// external load [N].
 ///
 ///   F1 = F2 + F_a,   F2 = P (u - 1)(u - 2)/2 - F_rigid(0) u (u - 2) + F_rigid(n) u (u - 1)/2
 ///   F_a -> (F1^(4/3) + F2^(4/3))^(3/4)
 ///
-/// F1 is the axial force on the bearing that the external load F_a loads further, and F2 the axial
-/// force on the bearing that F_a relieves. P is the preload, and n the speed. F_rigid is F2 in a
-/// rigid pair (bearing/rigid_preload.h). The mounting u interpolates smoothly between three kinds
-/// of preload. u = 0 is a soft spring that keeps F2 at P. u = 1 is a rigid pair whose forces do not
-/// change with speed. u = 2 is a rigid pair whose preload grows with speed.
+/// F_a is the external load, P the preload, and n the speed. F1 is the axial force on the bearing
+/// to which F_a adds load. F2 is the axial force on the other bearing, from which F_a removes load.
+/// F_rigid(n) is F2 in a rigid pair at the speed n (bearing/rigid_preload.h).
+///
+/// The parameter u interpolates between three kinds of preload. u = 0 is a soft spring that keeps
+/// F2 at P. u = 1 is a rigid pair whose forces do not change with speed. u = 2 is a rigid pair
+/// whose preload grows with speed.
 ///
 /// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The
 ///           exponent 4/3 comes from Palmgren's load moment with the load exponent y = 1/3.
 /// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure axial load.
-/// Accuracy: exact for the sum of both load moments with the exponent y = 1/3. For other laws and
-///           for effects that use ball loads, the load is an average over both bearings.
-/// Trap:     with the changed F_a, the law gives the sum of the moments of both bearings. For a rig
-///           with two bearings, the program counts the sum of both moments twice. The fitted factor
-///           z of the load moment is therefore half of the z of one bearing.
+/// Accuracy: the sum of the load moments of both bearings is exact if y = 1/3. For other friction
+///           laws, and for effects that use ball loads, the equivalent load is only an average over
+///           both bearings.
+/// Trap:     with the changed F_a, the friction law gives the sum of the load moments of both
+///           bearings. For a rig with two bearings, the program multiplies this sum by two. The
+///           fitted factor z of the load moment is therefore half of the z of one bearing.
 struct SetPreload {
   static constexpr std::string_view id = "set-preload";
   static constexpr Form form = Form::rig;
@@ -41,9 +45,11 @@ struct SetPreload {
       "Wrong data, not missing physics: the bearings are preloaded against each other and share "
       "the recorded load. The error is visible if the recorded load is smaller than the preload.";
   static constexpr std::string_view formula =
-      "F1 = F2 + F_a with F2 between P (springs), F_rigid(0) and F_rigid(n) (a rigid pair at "
-      "speed); "
-      "(F1^(4/3) + F2^(4/3))^(3/4) in place of F_a";
+      "(F1^(4/3) + F2^(4/3))^(3/4) in place of the axial load F_a; F1 = F2 + F_a and F2 are "
+      "the axial forces of the two bearings. F2 is the preload P for springs (mounting = "
+      "0), F_rigid(0) for a rigid pair without influence of speed (mounting = 1), and "
+      "F_rigid(n) for a rigid pair at the speed n (mounting = 2). Values between these "
+      "three are interpolated";
   static constexpr std::string_view source =
       "two preloaded bearings (Harris, vol. 1, ch. 9), derived";
   static constexpr std::array<std::string_view, 4> confused_with{"torque-offset", "seal-friction",

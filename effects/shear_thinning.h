@@ -13,10 +13,11 @@ namespace raceway::effects {
 ///
 ///   (1 + (n/n_c)²)^-p
 ///
-/// n_c is the speed at which the thinning begins.
-/// Source:   the Carreau law for viscosity as a function of shear rate, with a shear rate
+/// n is the speed, n_c the speed at which the thinning begins, and p a fitted exponent.
+/// Source:   Carreau's formula for viscosity as a function of shear rate, with a shear rate
 ///           proportional to speed. p is (1 - m)/2 times the exponent of the viscosity in the
-///           viscous moment. Flow exponents m of 0.6 to 0.9 give p up to about 0.15.
+///           viscous moment, where m is the flow index of the lubricant (1 without thinning). m of
+///           0.6 to 0.9 gives p up to about 0.15.
 /// Domain:   speed >= 0, n_c > 0.
 struct ShearThinning {
   static constexpr std::string_view id = "shear-thinning";
@@ -24,8 +25,11 @@ struct ShearThinning {
   static constexpr std::string_view mechanism =
       "Above a certain shear rate, the thickener or the polymers of a lubricant align with the "
       "flow, and the viscosity falls.";
-  static constexpr std::string_view formula = "M0 (1 + (n/n_c)^2)^-p";
-  static constexpr std::string_view source = "Carreau's law, shear rate in proportion to speed";
+  static constexpr std::string_view formula =
+      "M0 (1 + (n/n_c)^2)^-p in place of the viscous moment M0 (n: speed, n_c: critical "
+      "speed, p: exponent)";
+  static constexpr std::string_view source =
+      "Carreau's law with a shear rate proportional to speed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "inlet-shear-heating", "replenishment-starvation", "film-self-heating", "viscous-exponent"};
   static constexpr std::string_view settled_by = "the same points with a second oil";

@@ -12,20 +12,25 @@ namespace raceway::effects {
 ///
 ///   M = μ Σ (3/8) Q a E(k) ω_s/ω      over all contacts
 ///
-/// Q, a and E(k) are as in unit_spin_moment(). ω_s is the spin speed in the contact and ω the shaft
-/// speed. Under outer race control, only the contacts at the inner race spin.
+/// μ is the friction coefficient, Q the load of a contact, a the semi-major axis of its ellipse,
+/// and E(k) a complete elliptic integral (see unit_spin_moment()). ω_s is the spin speed in the
+/// contact and ω the shaft speed. Under outer race control, only the contacts at the inner race
+/// spin.
 /// Source:   [CaseStudy, eq. 23; Harris2006, vol. 2, ch. 5]; μ of 0.04 to 0.08 is usual.
-/// Domain:   converged equilibrium, else NaN. For standstill see unit_spin_friction().
-/// Accuracy: as unit_spin_moment().
+/// Domain:   converged equilibrium of the balls; otherwise M is NaN. For standstill see
+///           unit_spin_friction().
+/// Accuracy: see unit_spin_moment().
 struct SpinFriction {
   static constexpr std::string_view id = "spin-friction";
   static constexpr std::string_view title = "spinning friction of the balls";
   static constexpr std::string_view mechanism =
-      "A ball that rolls on two races at different contact angles spins about the normal of one "
-      "contact. The contact ellipse slides. The power of this sliding rises with speed, because "
-      "speed increases the difference of the two angles.";
+      "A ball that rolls on two races at different contact angles spins about the normal of "
+      "one contact, so the surfaces slide in the contact ellipse. The power of this sliding "
+      "rises with speed, because speed increases the difference of the two angles.";
   static constexpr std::string_view formula =
-      "M = sum of (3/8) mu Q a E(k) w_s/w over the contacts";
+      "M = sum of (3/8) mu Q a E(k) w_s/w over the contacts (mu: friction coefficient, Q: "
+      "contact load, a: half length of the contact ellipse, E(k): elliptic integral, w_s: "
+      "spin speed, w: shaft speed)";
   static constexpr std::string_view within_contacts =
       "mu_boundary under [friction], limiting_traction under [lubricant]";
   static constexpr std::string_view not_for_rollers =

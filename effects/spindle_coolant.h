@@ -14,13 +14,14 @@ namespace raceway::effects {
 ///
 /// q is the heat flow from the housing to the coolant, and G the conductance. T_in is the inlet
 /// temperature, or the ambient temperature if the model has no coolant. The heat flow is
-/// distributed over the length of the sleeve: the space between the sets, and the share `reach` of
-/// the length of the bearings.
+/// distributed over the length of the sleeve. The sleeve covers the space between the bearing sets,
+/// and the fraction `reach` of the length of each set.
 ///
-/// Source:   definition, convection to a fluid of uniform temperature. 2 l/min of water absorb
-///           140 W per kelvin of temperature rise.
-/// Domain:   G >= 0. The law ignores the pump: the sleeve cools even when the pump is off. To
-///           distinguish a sleeve from other effects, compare readings with the pump on and off.
+/// Source:   definition, convection to a fluid of uniform temperature. For comparison: 2 l/min of
+///           water absorb 140 W if the water becomes 1 K warmer.
+/// Domain:   G >= 0. The formula does not contain the state of the pump, so the sleeve cools even
+///           when the pump is off. To distinguish a sleeve from other effects, compare readings
+///           with the pump on and off.
 struct SleeveCoolant {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = "coolant";
@@ -28,9 +29,12 @@ struct SleeveCoolant {
   static constexpr std::string_view mechanism =
       "A fluid around the housing between the sets removes the heat quickly: the time constant is "
       "short, the housing is cold, and the preload rises because the shaft stays warm.";
-  static constexpr std::string_view formula = "q = G (T_housing - T_in) between the sets";
+  static constexpr std::string_view formula =
+      "q = G (T_housing - T_in) (q: heat flow from the housing to the coolant, G: "
+      "conductance, T_in: inlet temperature of the coolant, or ambient temperature if the "
+      "model has no coolant)";
   static constexpr std::string_view source =
-      "heat transfer to a fluid at one temperature; definition";
+      "definition; heat transfer to a fluid of uniform temperature";
   static constexpr std::array<std::string_view, 4> confused_with{
       "convection-factor", "flange-conductance", "structure-temperature", "f0"};
   static constexpr std::array parameters{Parameter{.name = "conductance_W_K",

@@ -9,22 +9,22 @@
 
 namespace raceway::effects {
 
-/// Texts and size parameter of an error in an entered spindle conductance.
+/// Texts and size parameter of an effect that corrects an entered thermal conductance of a spindle.
 template <std::size_t confused>
 struct SpindleFactorCard {
-  double SpindleCondition::*factor;  ///< factor that the effect changes
+  double SpindleCondition::*factor;  ///< member that the effect multiplies by k
   std::string_view id, title, mechanism, formula;
   std::array<std::string_view, confused> confused_with;
   Parameter size;
 };
 
-/// Factor on a conductance of a spindle [1].
+/// Factor k on a thermal conductance G of a spindle [1].
 ///
 ///   G -> k G
 ///
-/// Source:   definition; correlations for convection and contacts are accurate to a factor of 1.2
-///           to 2.
-/// Domain:   0.02 <= k, so that no part of the spindle is thermally isolated.
+/// Source:   definition. Published formulas for convection and thermal contacts are accurate to a
+///           factor of 1.2 to 2.
+/// Domain:   k >= 0.02, so that no part of the spindle is thermally isolated.
 template <const auto& card>
 struct SpindleFactor {
   static constexpr Form form = Form::spindle;
@@ -33,7 +33,8 @@ struct SpindleFactor {
   static constexpr std::string_view mechanism = card.mechanism;
   static constexpr std::string_view formula = card.formula;
   static constexpr std::string_view source =
-      "definition; correlations of contacts and films are accurate to a factor of 1.2 to 2";
+      "definition; formulas for convection and thermal contacts are accurate to a factor of 1.2 to "
+      "2";
   static constexpr auto confused_with = card.confused_with;
   static constexpr std::array parameters{card.size};
   static constexpr std::array needs{Need::time};
@@ -44,8 +45,8 @@ struct SpindleFactor {
   }
 };
 
-/// A low seat conductance heats the outer rings, which reduces the preload. Sensors in the housing
-/// hardly show this heating.
+/// A low seat conductance makes the outer rings warmer, which reduces the preload. Temperature
+/// sensors in the housing hardly show that the rings are warmer.
 inline constexpr SpindleFactorCard<4> seat_conductance{
     .factor = &SpindleCondition::outer_seat_factor,
     .id = "seat-conductance",
@@ -54,7 +55,7 @@ inline constexpr SpindleFactorCard<4> seat_conductance{
         "A gap, a cover or a wrong fit keeps the heat in the outer rings: the rings become hot and "
         "the preload falls, while the housing hardly changes. Without a sensor on a ring, only the "
         "displacement shows this effect.",
-    .formula = "G_seat -> k G_seat, for all outer seats",
+    .formula = "G_seat -> k G_seat (G_seat: conductance of each outer seat, k: factor)",
     .confused_with = {"outer_conductance_W_m2K", "bearing-conductance", "preload-growth",
                       "preload_N"},
     .size = {.name = "factor",
@@ -75,7 +76,7 @@ inline constexpr SpindleFactorCard<4> convection_factor{
         "Draught, a cover or a box around the spindle changes the heat flow to the room, and with "
         "it the long time constant and the steady temperature. The change is clearest while the "
         "spindle cools at standstill.",
-    .formula = "h -> k h, for housing and end faces",
+    .formula = "h -> k h (h: heat transfer coefficient of housing and end faces, k: factor)",
     .confused_with = {"convection_factor", "flange-conductance", "coolant",
                       "structure-temperature"},
     .size = {.name = "factor",
@@ -87,8 +88,8 @@ inline constexpr SpindleFactorCard<4> convection_factor{
              .plausible_upper = 4.0,
              .neutral = 1.0}};
 
-/// Oil film, lubricant and rolling balls conduct several times more heat than dry contacts; the
-/// exact ratio is unknown.
+/// Rolling balls with lubricant conduct several times more heat than dry contacts. The exact ratio
+/// is unknown.
 inline constexpr SpindleFactorCard<4> bearing_conductance{
     .factor = &SpindleCondition::bearing_conductance_factor,
     .id = "bearing-conductance",
@@ -97,7 +98,7 @@ inline constexpr SpindleFactorCard<4> bearing_conductance{
         "The heat of the inner rings leaves through balls, oil film and lubricant. With a lower "
         "conductance, shaft and inner rings become hot, and preload and displacement rise; sensors "
         "in the housing hardly show this change.",
-    .formula = "G -> k G, from inner to outer ring",
+    .formula = "G -> k G (G: conductance from inner to outer ring, k: factor)",
     .confused_with = {"lubricant_conductance_W_K", "seat-conductance", "preload-growth",
                       "drive-heat"},
     .size = {.name = "factor",
@@ -117,7 +118,7 @@ inline constexpr SpindleFactorCard<4> flange_conductance{
         "More or less heat flows through the flange into the machine: the steady temperature "
         "changes, but not the time constant. Without a sensor at the flange, the effect looks like "
         "a change of convection.",
-    .formula = "G_flange -> k G_flange",
+    .formula = "G_flange -> k G_flange (G_flange: conductance of the flange, k: factor)",
     .confused_with = {"flange_conductance_W_K", "convection-factor", "structure-temperature",
                       "coolant"},
     .size = {.name = "factor",

@@ -9,10 +9,11 @@
 
 namespace raceway::effects {
 
-/// Texts and size parameter of a heat source that the model lacks.
+/// Description of an effect that adds a heat source to a spindle: texts, and the parameter `size`
+/// for the heat flow.
 template <std::size_t confused>
 struct SpindleHeatCard {
-  double SpindleCondition::*heat;  ///< heat that the effect adds
+  double SpindleCondition::*heat;  ///< member that receives the heat flow
   std::string_view id, title, mechanism, source;
   std::array<std::string_view, confused> confused_with;
   Parameter size;
@@ -23,16 +24,18 @@ struct SpindleHeatCard {
 ///   q = W n/10 000 rpm
 ///
 /// q is the heat flow at the speed n, and W the heat flow at 10 000 rpm.
-/// Source:   assumes a constant loss moment. Losses in a rotor and in air grow with a higher power
-///           of the speed.
-/// Domain:   speed >= 0, zero at standstill. The heat is added to the heat sources of the model.
+/// Source:   assumption of a constant loss moment. In fact, losses in a motor rotor and in air grow
+///           with a higher power of the speed.
+/// Domain:   speed >= 0; q is zero at standstill. The heat flow is added to the heat sources of the
+///           model.
 template <const auto& card>
 struct SpindleHeat {
   static constexpr Form form = Form::spindle;
   static constexpr std::string_view id = card.id;
   static constexpr std::string_view title = card.title;
   static constexpr std::string_view mechanism = card.mechanism;
-  static constexpr std::string_view formula = "q = W (n/10000 rpm)";
+  static constexpr std::string_view formula =
+      "q = W (n/10000 rpm) (q: heat flow, W: heat flow at 10000 rpm, n: speed)";
   static constexpr std::string_view source = card.source;
   static constexpr auto confused_with = card.confused_with;
   static constexpr std::array parameters{card.size};
@@ -51,7 +54,9 @@ inline constexpr SpindleHeatCard<4> motor_heat{
     .mechanism =
         "Losses of rotor and stator heat shaft and housing between the sets, independently of the "
         "bearings.",
-    .source = "constant loss moment; iron losses rise with a higher power of speed",
+    .source =
+        "assumption: the loss moment does not depend on speed; iron losses rise with a higher "
+        "power of speed",
     .confused_with = {"drive-heat", "coolant", "lubricant-drag", "convection-factor"},
     .size = {.name = "heat_at_10000_rpm_W",
              .unit = "W",
@@ -68,7 +73,7 @@ inline constexpr SpindleHeatCard<4> drive_heat{
     .mechanism =
         "A belt that slips and bends, or a coupling, heats the shaft behind the last bearing: "
         "first the shaft end becomes hot, then the rear bearing.",
-    .source = "constant loss moment",
+    .source = "assumption: the loss moment does not depend on speed",
     .confused_with = {"motor-heat", "bearing-conductance", "lubricant-drag", "f0"},
     .size = {.name = "heat_at_10000_rpm_W",
              .unit = "W",
@@ -85,7 +90,9 @@ inline constexpr SpindleHeatCard<4> seal_heat{
     .mechanism =
         "A seal lip or a touching labyrinth heats the shaft in front of the first bearing, "
         "independently of load and preload.",
-    .source = "constant moment, as the seal moment of the SKF general catalogue (2006)",
+    .source =
+        "assumption: the seal moment does not depend on speed, as in the SKF general "
+        "catalogue (2006)",
     .confused_with = {"drive-heat", "lubricant-drag", "seal-friction", "f0"},
     .size = {.name = "heat_at_10000_rpm_W",
              .unit = "W",
@@ -102,7 +109,7 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
     .mechanism =
         "Seals, grease or a load that is not in the model heat both rings of the front set. These "
         "rings become hot first; the rear bearing runs as predicted.",
-    .source = "constant moment",
+    .source = "assumption: the added moment does not depend on speed",
     .confused_with = {"seal-heat", "f0", "lubricant-drag", "preload_N"},
     .size = {.name = "heat_at_10000_rpm_W",
              .unit = "W",
@@ -112,8 +119,8 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
              .plausible_lower = 10.0,
              .plausible_upper = 1000.0}};
 
-/// The heat enters the roller bearing behind the rear set, or the rear set if there is no roller
-/// bearing.
+/// The heat flows into the roller bearing behind the rear set. If there is no roller bearing at
+/// this place, the heat flows into the rear set.
 inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .heat = &SpindleCondition::rear_bearing_heat,
     .id = "rear-bearing-heat",
@@ -121,7 +128,7 @@ inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .mechanism =
         "A belt force that tilts the rear bearing, a seal of this bearing, or too much grease "
         "heats both rings: the rings become hot first, the shaft end later.",
-    .source = "constant moment",
+    .source = "assumption: the added moment does not depend on speed",
     .confused_with = {"drive-heat", "f0", "lubricant-drag", "bearing-conductance"},
     .size = {.name = "heat_at_10000_rpm_W",
              .unit = "W",

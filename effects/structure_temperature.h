@@ -13,8 +13,10 @@ namespace raceway::effects {
 ///
 ///   T_machine -> T_machine + R (1 - exp(-t/τ))
 ///
-/// R is the final difference, and τ the time constant.
-/// Source:   definition: a large body approaches a new temperature with one time constant.
+/// T_machine is the entered or recorded temperature, R the final difference, t the time, and τ the
+/// time constant.
+/// Source:   definition. The temperature of a large body approaches its new value with one time
+///           constant.
 /// Domain:   t is the time from the start of the record; R may have either sign.
 struct StructureTemperature {
   static constexpr Form form = Form::spindle;
@@ -24,8 +26,10 @@ struct StructureTemperature {
       "Drives, coolant or the sun change the temperature of the machine over hours. In the "
       "spindle, the temperature of the flange changes first, even at standstill.";
   static constexpr std::string_view formula =
-      "T_machine + R (1 - exp(-t/tau)) in place of T_machine";
-  static constexpr std::string_view source = "body with one time constant, definition";
+      "T_machine + R (1 - exp(-t/tau)) in place of T_machine (R: final temperature rise, t: "
+      "time, tau: time constant)";
+  static constexpr std::string_view source =
+      "definition; the machine is a body with one time constant";
   static constexpr std::array<std::string_view, 4> confused_with{
       "flange-conductance", "convection-factor", "displacement-offset", "coolant"};
   static constexpr std::array parameters{Parameter{.name = "rise_K",

@@ -16,21 +16,26 @@ namespace raceway::effects {
 ///
 ///   M_read = M + c (s + (1 - s) (n/10 000 rpm)^(2/3))
 ///
-/// c is the moment of the support bearings at 10 000 rpm, and s the constant share of c.
+/// M_read is the measured moment, M the moment of the tested bearing, and n the speed. c is the
+/// moment of the support bearings at 10 000 rpm, and s is the share of c that does not depend on
+/// the speed.
 /// Source:   constant and viscous part of Palmgren's moment [Palmgren1959]. Load and temperature of
 ///           the support bearings are assumed constant.
-/// Domain:   n >= 0, 0.1 <= s <= 0.7. With s = 1, the effect would equal torque-offset; with s = 0,
-///           it would resemble rig-viscous-drag.
+/// Domain:   n >= 0, 0.1 <= s <= 0.7. With s = 1, the effect would be equal to the effect
+///           torque-offset. With s = 0, the effect would be similar to rig-viscous-drag.
 struct SupportBearings {
   static constexpr std::string_view id = "support-bearings";
   static constexpr std::string_view title = "the reading includes the support bearings of the rig";
   static constexpr std::string_view datum = "the tare torque of the support bearings";
   static constexpr std::string_view mechanism =
-      "Wrong data, not missing physics: the sensor also measures the support bearings of the "
-      "shaft. The torque of the support bearings has a constant part and a part that grows with "
-      "speed. This torque does not depend on the load of the tested bearing.";
-  static constexpr std::string_view formula = "M_read = M + c (s + (1 - s) (n/10000 rpm)^(2/3))";
-  static constexpr std::string_view source = "both parts of Palmgren's moment, derived";
+      "Wrong data, not missing physics: the sensor also measures the support bearings of "
+      "the shaft. Their torque has a constant part and a part that grows with speed, and "
+      "does not depend on the load of the tested bearing.";
+  static constexpr std::string_view formula =
+      "M_read = M + c (s + (1 - s) (n/10000 rpm)^(2/3)) (M: torque of the tested bearing, "
+      "c: moment of the support bearings at 10000 rpm, s: constant share of c, n: speed)";
+  static constexpr std::string_view source =
+      "derived from the constant and the viscous part of Palmgren's moment";
   static constexpr std::array<std::string_view, 4> confused_with{"torque-offset", "seal-friction",
                                                                  "rig-viscous-drag", "f0"};
   static constexpr std::string_view settled_by = "the torque of the rig without the bearing";

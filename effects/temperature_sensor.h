@@ -13,8 +13,8 @@ namespace raceway::effects {
 ///   T_read = T + c
 ///
 /// T_read is the recorded temperature, T the film temperature, and c the offset.
-/// Source:   definition. Type K thermocouples are accurate to 1.5 K; together with the instrument,
-///           to 3 to 5 K.
+/// Source:   definition. Type K thermocouples are accurate to 1.5 K. Sensor and instrument together
+///           are accurate to 3 to 5 K.
 /// Domain:   every temperature.
 struct TemperatureOffset {
   static constexpr std::string_view id = "temperature-offset";
@@ -23,7 +23,8 @@ struct TemperatureOffset {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: the recorded temperature has the same error in every row, "
       "so the viscosity is wrong.";
-  static constexpr std::string_view formula = "T_read = T + c";
+  static constexpr std::string_view formula =
+      "T_read = T + c (T_read: recorded temperature, T: film temperature, c: offset)";
   static constexpr std::string_view source = "definition; IEC 60584 for thermocouples";
   static constexpr std::array<std::string_view, 3> confused_with{"f0", "viscosity-slope",
                                                                  "temperature-gain"};
@@ -44,27 +45,32 @@ struct TemperatureOffset {
   }
 };
 
-/// Temperature sensor far from the film, which measures only a share of the temperature rise of the
-/// film.
+/// Temperature sensor far from the film. The sensor measures only a share of the temperature rise
+/// of the film above the room temperature.
 ///
 ///   T_read = T_room + s (T - T_room)
 ///
 /// T_read is the recorded temperature, T the film temperature, and s the measured share.
 /// Source:   steady heat conduction from the film past the sensor to the room; s is a ratio of
 ///           thermal resistances.
-/// Domain:   s > 0; T_room is the value stated for the rig, or the temperature of the coldest row
-///           of the record.
+/// Domain:   s > 0. T_room is the entered room temperature of the rig. If it is not entered, T_room
+///           is the temperature of the coldest row of the record.
 struct TemperatureGain {
   static constexpr std::string_view id = "temperature-gain";
   static constexpr std::string_view title =
       "the temperature sensor shows a wrong share of the temperature rise";
   static constexpr std::string_view datum = "the place of the temperature sensor";
   static constexpr std::string_view mechanism =
-      "Wrong data, not missing physics: the sensor is not at the oil film and shows a share of "
-      "the temperature rise of the film above the room. With a share below 1, the film is warmer "
-      "than the recorded temperature, most at high temperature.";
-  static constexpr std::string_view formula = "T_read = T_room + s (T - T_room)";
-  static constexpr std::string_view source = "steady conduction past the sensor; range assumed";
+      "Wrong data, not missing physics: the sensor is not at the oil film and shows a share "
+      "of the temperature rise of the film above the room. With a share below 1, the film "
+      "is warmer than the recorded temperature, and the error is largest at high "
+      "temperature.";
+  static constexpr std::string_view formula =
+      "T_read = T_room + s (T - T_room) (T_read: recorded temperature, T: film temperature, "
+      "T_room: room temperature, s: measured share)";
+  static constexpr std::string_view source =
+      "steady heat conduction from the film past the sensor to the room; the usual range is "
+      "assumed";
   static constexpr std::array<std::string_view, 4> confused_with{
       "viscosity-slope", "temperature-offset", "film-self-heating", "viscous-exponent"};
   static constexpr std::string_view settled_by =

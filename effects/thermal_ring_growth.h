@@ -8,10 +8,15 @@
 
 namespace raceway::effects {
 
-/// Common law of the forms for a rig and for a shaft: the inner raceway grows relative to the outer
-/// raceway with the temperatures T_i and T_o of inner and outer ring. The free expansion is
-/// λ (T_i - T_o) d_m/2 with the thermal expansion λ of the rings: 0.5 um/K for steel and a pitch
-/// diameter d_m of 90 mm.
+/// Common part of ThermalRingGrowth (a bearing on a rig) and ShaftThermalRingGrowth (bearing sets
+/// of a shaft). If the inner ring is warmer than the outer ring, the inner raceway grows relative
+/// to the outer raceway. The free radial expansion is
+///
+///   λ (T_i - T_o) d_m/2
+///
+/// T_i and T_o are the temperatures of inner and outer ring, λ is the coefficient of thermal
+/// expansion of the rings, and d_m the pitch diameter. For steel and d_m = 90 mm, the expansion is
+/// 0.5 um per kelvin.
 struct GrowthByRingTemperatures {
   static constexpr std::string_view id = "thermal-ring-growth";
   static constexpr bool follows_heat = true;
@@ -22,15 +27,14 @@ struct GrowthByRingTemperatures {
   }
 };
 
-/// Radial growth of the inner raceway relative to the outer one from measured ring temperatures,
-/// for a bearing on a rig [m].
+/// Radial growth of the inner raceway relative to the outer raceway from measured ring
+/// temperatures, for a bearing on a rig [m].
 ///
-///   u = c λ (T_i - T_o) d_m/2        λ thermal expansion of the rings
+///   u = c λ (T_i - T_o) d_m/2
 ///
-/// At an entered axial load, the growth changes the free contact angle α0: cos α0 becomes cos α0 +
-/// u/(B D), where B D is the distance between the groove centres. If α0 = 0, the radial clearance
-/// falls by 2 u.
-/// Source:   free thermal expansion, derived; c = 1 means unconstrained rings.
+/// The growth changes the free contact angle α0: cos α0 becomes cos α0 + u/A, where A is the
+/// distance between the groove centres. If α0 = 0, the radial clearance decreases by 2 u.
+/// Source:   free thermal expansion, derived. The factor c = 1 means unconstrained rings.
 /// Domain:   both ring temperatures are measured. The balls are assumed to have the temperature of
 ///           the outer ring.
 struct ThermalRingGrowth : GrowthByRingTemperatures {
@@ -39,7 +43,10 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr std::string_view mechanism =
       "If the inner ring is warmer than the outer ring, the clearance and the contact angle fall, "
       "and the ball loads rise for the same axial load.";
-  static constexpr std::string_view formula = "u = c lambda (T_i - T_o) d_m/2";
+  static constexpr std::string_view formula =
+      "u = c lambda (T_i - T_o) d_m/2 (u: growth of the raceway radius, c: share, lambda: "
+      "coefficient of thermal expansion of the rings, T_i and T_o: temperatures of inner "
+      "and outer ring, d_m: pitch diameter)";
   static constexpr std::string_view source = "free thermal expansion, derived";
   static constexpr std::array<std::string_view, 3> confused_with{
       "thermal-preload", "centrifugal-ring-growth", "interference-fit"};
@@ -58,16 +65,16 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
   }
 };
 
-/// Radial growth of the inner raceway relative to the outer one, caused by the ring temperatures
-/// and not included in the free expansion of the rings, in the sets of a shaft [m].
+/// Radial growth of the inner raceway relative to the outer raceway, in addition to the free
+/// thermal expansion, in the bearing sets of a shaft [m].
 ///
 ///   g = c (T_i - T_o)
 ///
-/// The equilibrium of the sets already includes the free expansion of rings and balls at the
-/// temperatures of a row or of the model (bearing::thermal_shift), so c = 0 means unconstrained
-/// rings. c > 0: the housing constrains the outer ring, or sensors outside the rings show a smaller
-/// difference than the raceways have. c < 0: the shaft constrains the inner ring. c = -λ d_m/2
-/// cancels the whole radial expansion.
+/// The equilibrium of the sets already includes the free expansion of rings and balls
+/// (bearing::thermal_shift), so c = 0 means unconstrained rings. c > 0 means that the housing
+/// constrains the outer ring, or that sensors outside the rings show a smaller temperature
+/// difference than the difference between the raceways. c < 0 means that the shaft constrains the
+/// inner ring. c = -λ d_m/2 cancels the whole radial expansion.
 /// Source:   derived.
 /// Domain:   both ring temperatures are known.
 struct ShaftThermalRingGrowth : GrowthByRingTemperatures {
@@ -80,8 +87,10 @@ struct ShaftThermalRingGrowth : GrowthByRingTemperatures {
       "stiff or cool housing, the shaft, or sensors away from the raceways make the real growth "
       "larger or smaller.";
   static constexpr std::string_view formula =
-      "inner raceway grows by c (T_i - T_o) in radius beyond the free expansion";
-  static constexpr std::string_view source = "free thermal expansion as reference, derived";
+      "in addition to the free expansion, the radius of the inner raceway grows by c (T_i - "
+      "T_o) (c: growth per kelvin, T_i and T_o: temperatures of inner and outer ring)";
+  static constexpr std::string_view source =
+      "derived; c is the deviation from free thermal expansion";
   static constexpr std::array<std::string_view, 3> confused_with{
       "thermal-preload", "centrifugal-ring-growth", "displacement-temperature-drift"};
   static constexpr std::array parameters{Parameter{.name = "growth_per_kelvin_um_K",

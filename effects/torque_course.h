@@ -17,12 +17,12 @@ namespace raceway::effects {
 ///
 ///   M_read = M + c t/1 h
 ///
-/// M is the true torque, and c the drift per hour.
-/// Source:   definition. Possible causes: an amplifier that warms up, a sensor that is zeroed each
-///           morning.
-/// Domain:   needs the time of every row. t begins at the start of the day, after a pause of more
-///           than three hours. In a record without such a pause, t begins at the start of each load
-///           sweep (model/course.h).
+/// M_read is the reading, M the true torque, t the time, and c the drift per hour.
+/// Source:   definition. Possible causes are an amplifier that warms up, and a sensor that is set
+///           to zero each morning.
+/// Domain:   the record must contain the time of every row. t starts from zero each day, that is,
+///           after each pause of more than three hours. If the record has no such pause, t starts
+///           from zero with each load sweep (model/course.h).
 struct TorqueCreep {
   static constexpr std::string_view id = "torque-creep";
   static constexpr std::string_view title = "zero of the torque sensor creeps over each day";
@@ -30,7 +30,9 @@ struct TorqueCreep {
   static constexpr std::string_view mechanism =
       "Wrong data, not missing physics: the zero of the sensor moves from the start of each day. "
       "If the loads are always measured in one order, the drift looks like an effect of load.";
-  static constexpr std::string_view formula = "M_read = M + c (t - t_start)/1 h";
+  static constexpr std::string_view formula =
+      "M_read = M + c (t - t_start)/1 h (M: true torque, c: drift per hour, t: time, "
+      "t_start: start of the day, or of the load sweep if the record has no long pause)";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 3> confused_with{"load-exponent", "load-offset",
                                                                  "torque-time-drift"};
@@ -60,10 +62,12 @@ struct TorqueCreep {
 ///
 ///   M_read = M + c/2  speed reached from below,   M - c/2  from above
 ///
-/// M is the true torque, and c the difference between the two readings.
-/// Source:   definition. Possible causes: a sensor with hysteresis, a support that sticks.
-/// Domain:   needs the time of every row. The first speed of a run, and the first speed after a
-///           change of the axial load, are assumed to be reached from below (Record::direction).
+/// M_read is the reading, M the true torque, and c the difference between the readings for rising
+/// and falling speed.
+/// Source:   definition. Possible causes are a sensor with hysteresis, and a support that sticks.
+/// Domain:   the record must contain the time of every row. The first speed of a run is assumed to
+///           be reached from below, and so is the first speed after a change of the axial load
+///           (Record::direction).
 struct SpeedHysteresis {
   static constexpr std::string_view id = "speed-hysteresis";
   static constexpr std::string_view title = "readings differ between rising and falling speed";
@@ -72,7 +76,8 @@ struct SpeedHysteresis {
       "Wrong data, not missing physics: at one speed, the reading for rising speed differs from "
       "the reading for falling speed.";
   static constexpr std::string_view formula =
-      "M_read = M + c/2 for rising speed, M - c/2 for falling speed";
+      "M_read = M + c/2 for rising speed, M - c/2 for falling speed (M: true torque, c: "
+      "difference of the two readings)";
   static constexpr std::string_view source = "definition";
   static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift",
                                                                  "grease-churning"};

@@ -12,9 +12,9 @@ namespace raceway::effects {
 ///
 ///   M = c (n/10 000 rpm)^1.8
 ///
-/// c is the moment at 10 000 rpm. M is the moment of one bearing, except in a coast-down. There M
-/// is the moment of all rotating parts, including a flywheel, and is added once, not once per
-/// bearing.
+/// c is the moment at 10 000 rpm. M is the moment of one bearing. In a coast-down, however, M is
+/// the moment of all rotating parts together, including a flywheel. M is then added once, not once
+/// per bearing.
 ///
 /// Source:   moment of a turning cylinder of radius R and length L in a gap, C_f π ρ ω² R⁴ L, with
 ///           the air density ρ and the friction coefficient C_f ~ Re^-0.2 (Bilgen and Boulos,
@@ -28,9 +28,10 @@ struct Windage {
       "Shaft, cage and balls drag air through the gaps. The flow is turbulent, and the friction of "
       "the air grows a little more slowly than the square of speed. On a rig with coast-downs, the "
       "effect includes the air around the whole rotor.";
-  static constexpr std::string_view formula = "M = c (n/10000 rpm)^1.8";
+  static constexpr std::string_view formula =
+      "M = c (n/10000 rpm)^1.8 (n: speed, c: moment at 10000 rpm)";
   static constexpr std::string_view source =
-      "rotating cylinder in a gap, [BilgenBoulos1973]: C_f ~ Re^-0.2; c gives the size";
+      "rotating cylinder in a gap, [BilgenBoulos1973]: friction coefficient ~ Re^-0.2; c is fitted";
   static constexpr std::array<std::string_view, 4> confused_with{
       "lubricant-drag", "centrifugal-ring-growth", "cage-friction", "gyroscopic-slip"};
   static constexpr std::string_view settled_by =

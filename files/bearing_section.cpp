@@ -196,7 +196,7 @@ NamedBearing BearingReader::read(const Section& table, const NamedBearing* base,
   read_envelope(s, draft.geometry);
   const Material* inherited = base ? &base->bearing.balls() : nullptr;
   if (draft.ceramic_balls && !s.find("ball_material")) {
-    tables_.note_default(s.name(), "ball_material", "\"silicon-nitride\"", "by the designation");
+    tables_.note_default(s.name(), "ball_material", "\"silicon-nitride\"", "from the designation");
     inherited = find_material("silicon-nitride");
   }
   const Material balls = material(s, "ball_material", inherited);
@@ -261,7 +261,7 @@ void BearingReader::take_estimate(const Section& s, const std::string& designati
       tables_.note_default(
           s.name(), key, fmt::format("{:.6g}", value),
           key != "contact_angle_deg" ? "estimated, because the bearing is not in the catalogue"
-          : named.states_angle       ? "by the designation"
+          : named.states_angle       ? "from the designation"
                                      : "assumed, because the designation has no contact angle");
 }
 

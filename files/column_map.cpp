@@ -28,17 +28,18 @@ constexpr Key columns_keys[]{
      "order of day, month and year in dates with slashes, dashes or two-digit years. Required if "
      "the dates can be read in several orders that give different times between the rows"},
     {"settings_hold", one_of("from row|until row"), unset,
-     "time for which the settings (speed, loads, feeds, coolant) of a row apply in a record over "
-     "time. \"from row\": from this row to the next, as in a programme of events; the reading in "
+     "period in which the settings (speed, loads, feeds, coolant) of a row apply, for records over "
+     "time. \"from row\": from this row to the next row, as in a list of events; the reading of "
      "the row was taken just before the settings changed. \"until row\": from the previous row to "
-     "this row, as in loggers that stamp the end of an interval. Default: \"until row\" for a "
-     "spindle; for a correction, settings apply from their row to the next row, and the reading in "
-     "the row was taken with these settings"},
+     "this row, as in loggers whose time is the end of an interval. Default for a spindle: \"until "
+     "row\". Default for a correction: the settings apply from this row to the next row, and the "
+     "reading of the row was taken with these settings"},
 };
 constexpr Key rule_keys[]{
     {"column", a_text, is_required,
-     "header of the column in your file. COLUMN is the name of the column in raceway. Short forms: "
-     "COLUMN = \"header\", or COLUMN = number for all rows"},
+     "header of the column in your file. Replace COLUMN by the name of the column in raceway, such "
+     "as speed_rpm. Short forms: COLUMN = \"header\", or COLUMN = number if all rows have the same "
+     "value"},
     {"unit", a_text, "from the header",
      "unit of the column in your file; \"excel\" for Excel serial dates (days)"},
     {"factor", between(-1e9, 1e9), 1.0,

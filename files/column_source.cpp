@@ -204,11 +204,11 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
     if (rule.constant) continue;
     if (const ColumnSource* const own = found.find(*rule.channel)) {
       if (!own->unit_stated && (rule.unit || rule.factor != 1.0))
-        found.notes.push_back(
-            record::note::read_as(fmt::format("column {} is read by its own name: the rule in {} "
-                                              "is not used, because the file has no column \"{}\"",
-                                              own->name, rule.place.text(), rule.header),
-                                  rule.place));
+        found.notes.push_back(record::note::read_as(
+            fmt::format("column {} is read directly, because its name is a column name of raceway: "
+                        "the rule in {} is not used, and the file has no column \"{}\"",
+                        own->name, rule.place.text(), rule.header),
+            rule.place));
       continue;
     }
     if (options.of_several) {

@@ -50,7 +50,8 @@ constexpr Key correction_keys[]{
      "sampling interval for which numerator and denominator are valid; records with another "
      "interval are rejected"},
     {"channel", a_list, unset, "causes of displacement, tables [[correction.channel]]"},
-    {"kinematic", a_table, unset, "the table [correction.kinematic]"},
+    {"kinematic", a_table, unset,
+     "coefficients of the kinematic displacement, table [correction.kinematic]"},
     {"effect", a_list, unset, "effects, tables [[correction.effect]]"},
     {"prior", a_table, unset,
      "\"PARAMETER\" = { value, std }: expected value and standard uncertainty of a parameter "
@@ -60,10 +61,14 @@ constexpr Key correction_keys[]{
     {"still_s", a_table, unset,
      "COLUMN = longest time in s without a change of a temperature in the training data, "
      "[correction.still_s]"},
-    {"together", a_table, unset, "the table [correction.together]"},
-    {"covariance", a_table, unset, "the table [correction.covariance]"},
-    {"residual", a_table, unset, "the table [correction.residual]"},
-    {"trust", a_table, unset, "the table [correction.trust]"},
+    {"together", a_table, unset,
+     "mean, standard deviation and correlation of the inputs in the training data, table "
+     "[correction.together]"},
+    {"covariance", a_table, unset,
+     "covariance of the fitted parameters, table [correction.covariance]"},
+    {"residual", a_table, unset,
+     "RMS and correlation time of the residual, table [correction.residual]"},
+    {"trust", a_table, unset, "error on held-out readings, table [correction.trust]"},
 };
 
 constexpr Key correction_channel_keys[]{
@@ -72,10 +77,11 @@ constexpr Key correction_channel_keys[]{
      "input of the channel: a column, a list of columns (the program uses their mean), or "
      "\"power_W\" (torque of a friction table times speed)"},
     {"exponent", between(0.5, 3.0), 1.0,
-     "exponent for a speed n as input: n (n/1000 rpm)^(exponent - 1) drives the channel"},
+     "exponent for a speed n as input. The channel then has the input n (n/1000 "
+     "rpm)^(exponent - 1)"},
     {"reference", a_text, unset,
-     "temperature column whose change since the first row of the run is subtracted from the same "
-     "change of the input"},
+     "temperature column. The change of this temperature since the first row of the run is "
+     "subtracted from the change of the input"},
     {"sections", a_list, unset, "lags of the channel, each with gain and time constant"},
     {"scale", between(-1e6, 1e6), 1.0,
      "factor on the whole channel, for example to adapt it to another spindle of the same type"},
@@ -117,12 +123,12 @@ constexpr Key window_keys[]{
 // Of an input in kelvin; the names of others end in their unit.
 constexpr Key feedthrough_keys[]{
     {"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
-     "displacement without lag, per unit of the input. The name of the key ends in its unit: um_K, "
-     "um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
+     "displacement without lag, per unit of the input. The key ends in the unit of this value: "
+     "um_K, um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
 constexpr Key section_gain_keys[]{
     {"gain_um_K", between(-most, most, "um/K"), is_required,
-     "steady displacement per unit of the input. The name of the key ends in its unit: um_K, um_W, "
-     "um_m_min, um_rpm, um_A, um_mm ..."}};
+     "steady displacement per unit of the input. The key ends in the unit of this value: um_K, "
+     "um_W, um_m_min, um_rpm, um_A, um_mm ..."}};
 constexpr Key section_time_keys[]{
     {"time_constant_s", between(1e-3, most, "s"), is_required, "time constant of the lag"}};
 constexpr Key element_gain_keys[]{
@@ -136,7 +142,8 @@ constexpr Key element_gain_keys[]{
      "factor in gain = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in gain = factor * x^exponent"},
     {"table", a_text, unset,
-     "CSV in the folder of the model: gain_um against power_W, or against the column of the input"},
+     "CSV in the folder of the model, with the columns gain_um and power_W (or the input instead "
+     "of power_W)"},
 };
 constexpr Key element_time_keys[]{
     {"slope_min_W", between(-most, most, "min/W"), unset,
@@ -149,8 +156,8 @@ constexpr Key element_time_keys[]{
      "factor in time constant = factor * x^exponent; x is the input in its unit"},
     {"exponent", between(-10, 10), unset, "exponent in time constant = factor * x^exponent"},
     {"table", a_text, unset,
-     "CSV in the folder of the model: time_constant_min against power_W, or against the column of "
-     "the input"},
+     "CSV in the folder of the model, with the columns time_constant_min and power_W (or the input "
+     "instead of power_W)"},
 };
 
 constexpr Key kinematic_keys[]{
@@ -175,8 +182,8 @@ constexpr Key correction_effect_keys[]{
      "machine axis whose movement causes the effect, such as x; the parameter names of the effect "
      "contain this axis"},
     {"window", a_table, unset,
-     "only for id = \"input\": window { column, points, acts_on } on an axis position, as in a "
-     "channel; inside the window, the effect adds a displacement that follows the input of the "
+     "{ column, points, acts_on }, only for id = \"input\": window on an axis position, as in a "
+     "channel. Inside the window, the effect adds a displacement that follows the input of the "
      "channel"},
 };
 constexpr Key correction_own_effect_keys[]{
@@ -185,8 +192,8 @@ constexpr Key correction_own_effect_keys[]{
      "displacement is gain_um times the formula, with a lag if time_constant_s is given"},
     {"title", a_text, unset, "title of your own effect in messages"},
     {"gain_um", between(-most, most, "um"), unset,
-     "gain of your own effect in um per unit of its formula, required; 0: the effect is off, and "
-     "diagnose tests it"},
+     "gain of your own effect in um per unit of its formula, required; the value 0 switches the "
+     "effect off, and diagnose then tests the effect"},
     {"time_constant_s", between(1, 1e7, "s"), unset,
      "time constant of the lag of your own effect; without it, the effect has no lag"},
 };

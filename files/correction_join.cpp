@@ -111,8 +111,8 @@ void narrow(std::vector<correction::SeenRange>& ranges, const correction::SeenRa
   known->still = std::fmax(known->still, other.still);
   if (known->lower > known->upper)
     refuse(file,
-           fmt::format("{}: its range does not overlap the range of an earlier file, so no "
-                       "operating point is inside both ranges",
+           fmt::format("{}: the range of this input does not overlap its range in an earlier file, "
+                       "so no operating point is inside both ranges",
                        other.name),
            other.name);
 }

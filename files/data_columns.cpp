@@ -147,6 +147,13 @@ void choose_measured(const model::ModelSubject& subject, const model::Expected& 
       columns.unused.push_back(p.channel);
 }
 
+std::string if_named_otherwise(const text::CsvTable& table) {
+  return fmt::format(
+      "If the columns have other names, raceway check MODEL {} --suggest-columns proposes a table "
+      "[columns]: copy it into the model file",
+      table.source);
+}
+
 void require_measured(const text::CsvTable& table, const model::Expected& expected,
                       const DataColumns& columns) {
   if (!columns.measured.empty()) return;
@@ -159,10 +166,8 @@ void require_measured(const text::CsvTable& table, const model::Expected& expect
                                          table.header_place().text(), text::listed(names, "or"));
   if (!columns.find(record::time) && columns.falls.empty())
     throw text::InputError(
-        fmt::format(
-            "{}, or {} for a coast-down; the header has {}\nIf the columns have other names, "
-            "raceway check MODEL {} --suggest-columns proposes a map to the columns of raceway",
-            wanted, record::time.name, text::listed(table.header), table.source),
+        fmt::format("{}, or {} for a coast-down; the header has {}\n{}", wanted, record::time.name,
+                    text::listed(table.header), if_named_otherwise(table)),
         table.header_place());
   if (!expected.coast_down)
     throw text::InputError(
@@ -195,12 +200,10 @@ void require_inputs(const text::CsvTable& table, const model::Expected& expected
         d.from.empty() == may_stand_in_model)
       continue;
     if (!may_stand_in_model)
-      throw text::InputError(
-          fmt::format(
-              "{0}: column {1} is missing; the header has {2}\nIf the columns have other names, "
-              "raceway check MODEL {3} --suggest-columns proposes a map to the columns of raceway",
-              table.header_place().text(), c.name, text::listed(table.header), table.source),
-          table.header_place(c.name));
+      throw text::InputError(fmt::format("{}: column {} is missing; the header has {}\n{}",
+                                         table.header_place().text(), c.name,
+                                         text::listed(table.header), if_named_otherwise(table)),
+                             table.header_place(c.name));
     const std::string none =
         c.kind.empty() ? "" : fmt::format("; if the {} is zero or unknown, give 0", c.kind);
     throw text::InputError(

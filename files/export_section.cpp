@@ -16,22 +16,28 @@ const Key control_keys[]{
      "largest offset in both directions; one value for all axes, or { COLUMN = ... } for each "
      "displacement"},
     {"slew_um_s", between(1e-6, 1e6, "um/s"), usual_control.slew_um_s.all,
-     "highest slew rate of an offset; for all axes, or for each displacement"},
+     "highest slew rate of an offset; one value for all axes, or { COLUMN = ... } for each "
+     "displacement"},
     {"limit_urad", between(1e-3, 1e6, "urad"), usual_control.limit_um.all,
-     "largest angle offset in both directions; for all angles, or for each displacement"},
+     "largest angle offset in both directions; one value for all angles, or { COLUMN = ... } for "
+     "each displacement"},
     {"slew_urad_s", between(1e-6, 1e6, "urad/s"), usual_control.slew_um_s.all,
-     "highest slew rate of an angle offset; for all angles, or for each displacement"},
+     "highest slew rate of an angle offset; one value for all angles, or { COLUMN = ... } for each "
+     "displacement"},
     {"sign", between(-1, 1), usual_control.sign.all,
      "sign in offset = sign * displacement, 1 or -1; with -1, the axis moves against the "
-     "displacement; for all axes, or for each displacement"},
+     "displacement; one value for all axes, or { COLUMN = ... } for each displacement"},
     {"unit", one_of("um|mm|counts"), usual_control.unit.all,
-     "unit of the offset; counts are whole numbers; for all axes, or for each displacement"},
+     "unit of the offset; with counts, the offset is a whole number of steps of count_um; one "
+     "value for all axes, or { COLUMN = ... } for each displacement"},
     {"count_um", between(1e-6, 1e6, "um"), usual_control.count_um.all,
-     "size of one count; for all axes, or for each displacement"},
+     "size of one count; one value for all axes, or { COLUMN = ... } for each displacement"},
     {"unit_of_angles", one_of("urad|mrad|rad|deg|counts"), "urad",
-     "unit of an angle offset; for all angles, or for each displacement"},
+     "unit of an angle offset; with counts, the offset is a whole number of steps of count_urad; "
+     "one value for all angles, or { COLUMN = ... } for each displacement"},
     {"count_urad", between(1e-6, 1e6, "urad"), usual_control.count_um.all,
-     "size of one count of an angle offset; for all angles, or for each displacement"},
+     "size of one count of an angle offset; one value for all angles, or { COLUMN = ... } for each "
+     "displacement"},
     {"axis", one_of("x|y|z|u|v|w|a|b|c"),
      "the LETTER in the column displacement_LETTER_um or displacement_LETTER_urad",
      "LinuxCNC axis that the offset moves"},
@@ -41,23 +47,23 @@ const Key control_keys[]{
      "[lowest, highest] plausible value of an input in its unit; one pair for all temperatures, or "
      "{ COLUMN = [...] } for any input"},
     {"fastest_per_s", between(0, 1e9), usual_control.fastest_per_s.all,
-     "largest change of an input per second, in the unit of the input; 0: no limit; one number for "
-     "all temperatures, or { COLUMN = ... } for any input"},
+     "largest change of an input per second, in the unit of the input; 0 means no limit; one "
+     "number for all temperatures, or { COLUMN = ... } for any input"},
     {"stuck_s", between(0, 1e9, "s"), usual_control.stuck_s.all,
-     "longest time without a change of an input; 0: no limit; one number for all temperatures, or "
-     "{ COLUMN = ... } for any input"},
+     "longest time without a change of an input; 0 means no limit; one number for all "
+     "temperatures, or { COLUMN = ... } for any input"},
     {"smoothing_s", between(0, 1e6, "s"), usual_control.smoothing_s.all,
-     "time constant of a filter on an input, for the parts of the correction that follow this "
-     "input without lag; for sensors with coarse resolution; one number for all inputs, or "
-     "{ COLUMN = ... }"},
+     "time constant of a low-pass filter on an input, for sensors with a coarse resolution. Only "
+     "the parts of the correction without lag use the filtered input. One number for all inputs, "
+     "or { COLUMN = ... }"},
     {"on_fault", one_of("hold|last-safe|zero"), usual_control.on_fault,
      "reaction to a faulty input after hold_s: hold (use its last value), last-safe (fade to the "
      "last offset from good inputs) or zero (fade to 0)"},
     {"hold_s", between(0, 1e6, "s"), usual_control.hold_s,
      "time for which the program uses the last good value of a faulty input"},
     {"fade_s", between(0.1, 1e6, "s"), usual_control.fade_s,
-     "time in which an offset fades after a lasting fault, and in which it returns after the "
-     "fault"},
+     "time in which an offset fades if a fault lasts longer than hold_s, and in which the offset "
+     "returns when the fault has ended"},
     {"longest_gap_s", between(1e-3, 1e6, "s"), usual_control.longest_gap_s,
      "longest normal time between two calls of the exported program; after a longer gap, offsets "
      "move at most as far as in this time, and the program raises an alarm"},

@@ -28,8 +28,8 @@ const Key lubricant_keys[]{
      "kinematic viscosity at 100 C, below the viscosity at 40 C"},
     {"supply", one_of(words_of_supply),
      "none: the law contact assumes little oil at the contact inlets",
-     "lubricant supply; excludes effects that need another supply. With bath, the law contact "
-     "assumes flooded contact inlets"},
+     "lubricant supply; diagnose does not test effects that need another supply. With bath, the "
+     "law contact assumes flooded contact inlets"},
 };
 
 using friction::F1Load;
@@ -108,7 +108,7 @@ const Key roller_law_keys[]{
 const Key roller_load_keys[]{
     {"f1_load", one_of(words_of_roller_load), "rollers",
      "load in the law: rollers (sum of the roller loads, so that a preload causes torque), or F_r "
-     "(radial load, as in the printed laws)"},
+     "(radial load, as in the published laws)"},
 };
 const Key roller_f0 = [] {
   Key key = number_of(FrictionLaw::roller_palmgren, "f0", "factor of the viscous moment");
@@ -218,8 +218,9 @@ std::shared_ptr<const friction::TorqueTable> read_table_of_law(ModelTables& tabl
     if (!has)
       tables.note_default(
           "friction", column, "all",
-          fmt::format("{} has no such column, so its torques apply at all values of this quantity",
-                      *file));
+          fmt::format(
+              "{} does not have this column, so its torques apply at all values of the quantity",
+              *file));
   return std::make_shared<const friction::TorqueTable>(std::move(table));
 }
 

@@ -21,7 +21,8 @@ constexpr Key calibration_keys[]{
      "parameters to fit: parameters of the law, preload_N, inner_conformity, outer_conformity, "
      "conformity, contact_angle_deg, or \"EFFECT.PARAMETER\" for a parameter of an effect; for a "
      "correction: its parameters or groups of parameters"},
-    {"covariance", a_table, unset, "the table [calibration.covariance]"},
+    {"covariance", a_table, unset,
+     "covariance of the fitted parameters, table [calibration.covariance]"},
 };
 constexpr Key loop_keys[]{
     {"tolerance_Nmm", between(0, 1e9, "Nmm"), unset,

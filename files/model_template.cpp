@@ -63,8 +63,8 @@ std::string friction_lines(friction::FrictionLaw law) {
           "sum of the friction of all balls; or \"palmgren\", \"skf\"; raceway new --law writes a "
           "model with such a law");
       add("rolling_factor", initial("rolling_factor"),
-          "factor on the rolling resistance of the oil, most of the torque at high speed; known to "
-          "+-40 %");
+          "factor on the rolling resistance of the oil, which causes most of the torque at high "
+          "speed; known to +-40 %");
       add("hysteresis_factor", initial("hysteresis_factor"),
           "factor on the hysteresis loss of the steel");
       add("mu_boundary", initial("mu_boundary"),
@@ -107,7 +107,7 @@ bearings = {}                       # equal bearings; the reading is the sum of 
 # axial_load_N = 0                 # of one bearing, for records without this column
 radial_load_N = {:.10g}
 temperature_C = {:.10g}
-minimum_speed_rpm = {:.10g}              # slower rows of a coast-down are left out
+minimum_speed_rpm = {:.10g}              # slower rows of a coast-down are not used
 # inertia_kgm2 = 0.5               # of all rotating parts, or "unknown"; required for coast-down records
 
 [solver]
@@ -155,7 +155,7 @@ std::string spindle_lines(const CatalogueBearing& row) {
   add("rear_position_mm", fmt::format("[{:.6g}]", rear), "assumed");
   text += fmt::format(
       R"(
-[shaft]                            # assumed, from the nose to the rear: put in your drawing
+[shaft]                            # assumed, from the nose to the rear: replace by your drawing
 bore_mm = {:.6g}
 segment = [
   {},
@@ -169,7 +169,7 @@ segment = [
 start_mm = {:.6g}                      # distance of its front face behind the nose face
 length_mm = {:.6g}
 outer_diameter_mm = {:.6g}
-flange_mm = {:.6g}                    # middle of the flange to the machine
+flange_mm = {:.6g}                    # distance of the middle of the mounting flange behind the nose face
 
 [ambient]
 )",
@@ -184,11 +184,11 @@ flange_mm = {:.6g}                    # middle of the flange to the machine
 [[sensor]]                         # column front_bearing_temperature_C of a record
 name = "front_bearing"
 part = "housing"
-position_mm = {:.6g}                   # assumed: beside the first bearing
+position_mm = {:.6g}                   # assumed: next to the first bearing
 radius_mm = {:.6g}                     # assumed
 
 [columns]
-settings_hold = "until row"        # as loggers stamp the end of an interval; "from row" for a list of events
+settings_hold = "until row"        # for loggers whose time is the end of an interval; "from row" for a list of events
 
 # Fits, coolant, motor and drive: raceway keys "[seat]", "[coolant]", "[motor]", "[drive]".
 # raceway check THIS-FILE lists every default that is used.

@@ -151,8 +151,8 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
     made.notes.push_back(record::note::unit(doubt.text, {.file = source.name}));
   if (inputs.empty())
     made.notes.push_back(
-        record::note::assumed("no temperature varies by more than 0.5 K and the speed is constant, "
-                              "so the model has no channel",
+        record::note::assumed("no temperature varies by more than 0.5 K, and the speed is "
+                              "constant, so the model has no channel",
                               {.file = source.name}));
   return made;
 }

@@ -38,7 +38,7 @@ std::string looks_like_inches(const bearing::BearingGeometry& g) {
     return fmt::format(
         "ball_diameter_mm = {:.6g}, pitch_diameter_mm = {:.6g}: the values are probably in inches; "
         "this would be {:.6g} and {:.6g} mm. static_load_rating_N = {:.6g} is {:.0f} times the "
-        "usual rating of such balls",
+        "usual rating of a bearing with such balls",
         ball, pitch, inch * ball, inch * pitch, g.static_load_rating, rating / 13.0);
   return {};
 }

@@ -34,8 +34,8 @@ constexpr Key race_control_keys[]{
 };
 constexpr Key tilt_keys[]{
     {"tilt", one_of("locked|free"), "locked",
-     "tilt of the inner ring: locked at 0, or free (the tilt then follows from the given tilting "
-     "moments, by default 0)"},
+     "tilt of the inner ring: locked at 0, or free (the tilt then follows from the tilting "
+     "moments, which are 0 by default)"},
 };
 
 /// The number, or the word for one that nobody knows.

@@ -158,7 +158,7 @@ std::string estimated_model_text(const EstimatedRollers& bearing, friction::Fric
   for (const friction::Parameter& p : friction::parameters(law))
     add(p.name, fmt::format("{:g}", p.initial));
   add("f1_load", "\"rollers\"",
-      "sum of the roller loads; or \"F_r\", the radial load, as in the printed laws");
+      "sum of the roller loads; or \"F_r\", the radial load, as in the published laws");
   return text;
 }
 

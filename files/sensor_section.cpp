@@ -101,8 +101,8 @@ rig::TorqueSensor read_calibration(const Section& table) {
   if (const auto turn =
           rig::turning_torque(sensor.coefficients, sensor.lowest_torque, sensor.highest_torque))
     s.fail("coefficients",
-           fmt::format("coefficients: the curve changes direction at {:.4g} N m, between "
-                       "torque_from_Nm and torque_to_Nm, so one signal has two torques",
+           fmt::format("coefficients: the curve has a maximum or minimum at {:.4g} N m, between "
+                       "torque_from_Nm and torque_to_Nm, so one signal belongs to two torques",
                        *turn));
   read_zero(s, sensor);
   return sensor;

@@ -249,10 +249,10 @@ void note_gaps(Record& result) {
                     result.settings_hold == record::SettingsHold::until_row
                         ? "the settings of the row after the gap apply"
                         : "temperatures are interpolated, and settings keep their value") +
-            (longest > an_hour
-                 ? ". If the machine ran during the gap, give the rows after it another run_id; a "
-                   "new run starts from rest, with a new zero of the displacement"
-                 : ""),
+            (longest > an_hour ? ". If the machine ran during the gap, enter another run_id for "
+                                 "the rows after the gap; a new run starts from rest, "
+                                 "with a new zero of the displacement"
+                               : ""),
         {.line = result.line(first)}));
 }
 

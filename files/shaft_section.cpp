@@ -90,7 +90,8 @@ const Key arrangement_keys[]{
      "temperature of the housing"},
     {"front_bearing", a_table, "values of [bearing]",
      "table [arrangement.front_bearing]: keys of [bearing] with other values for the set at the "
-     "tool; [[arrangement.front_bearing]] is one table for each bearing"},
+     "tool; [[arrangement.front_bearing]], once for each bearing, gives each bearing its own "
+     "values"},
     {"rear_bearing", a_table, "values of [bearing]",
      "table [arrangement.rear_bearing]: keys of [bearing] with other values for the rear set"},
 };

@@ -97,8 +97,8 @@ const Key housing_keys[]{
     {"flange_length_mm", between(0.1, longest_mm, "mm"), usual_housing.flange_length / mm,
      "axial length of the flange"},
     {"flange_conductance_W_K", between(0, 1e4, "W/K"), usual_housing.flange_conductance,
-     "thermal conductance from the flange to the machine; with flange_screws, from the joint to "
-     "the machine"},
+     "thermal conductance from the flange to the machine; with flange_screws, the conductance of "
+     "the screwed joint is added in series"},
     {"flange_screws", whole(1, 1000), unset,
      "number of flange screws; the conductance of the joint then follows from their force"},
     {"flange_screw_force_N", between(1, 1e7, "N"), unset, "clamping force of one screw"},
@@ -106,7 +106,8 @@ const Key housing_keys[]{
 };
 constexpr Key housing_segment_keys[]{
     {"length_mm", a_length, is_required, "length of the segment along the spindle"},
-    {"outer_diameter_mm", between(1, 10000, "mm"), unset, "outer diameter, required"},
+    {"outer_diameter_mm", between(1, 10000, "mm"), unset,
+     "outer diameter; give outer_diameter_mm or diameter_mm"},
     {"diameter_mm", between(1, 10000, "mm"), unset, "another name of outer_diameter_mm"},
     {"bore_mm", between(0, 5000, "mm"), "the outer diameter of the bearings",
      "bore of this segment"},
@@ -123,7 +124,7 @@ constexpr Key seat_keys[]{
      "diametral clearance of the outer rings in the housing"},
     {"roughness_um", between(0.01, 50, "um"), usual_seat.roughness / um,
      "roughness of the contact surfaces"},
-    {"slope", between(0.001, 2), usual_seat.slope, "mean slope of the roughness"},
+    {"slope", between(0.001, 2), usual_seat.slope, "mean absolute slope of the roughness profile"},
     {"hardness_GPa", between(0.05, 100, "GPa"), usual_seat.hardness / GPa,
      "hardness of the softer surface"},
     {"shoulder_conductance_W_m2K", between(0, 1e6, "W/(m2 K)"), usual_seat.shoulder_conductance,

@@ -219,15 +219,16 @@ class SpindleCheck {
     if (!spindle_.housing.flange_joint) return;
     const model::ScrewedJoint& joint = *spindle_.housing.flange_joint;
     require_contact_pressure(tables_.section("housing"), "flange_screw_force_N", joint.screw_force,
-                             joint.pressure(), fmt::format("{} screws", joint.screws));
+                             joint.pressure(), fmt::format("each of {} screws", joint.screws));
   }
 
   void require_contact_pressure(const Section& s, std::string_view key, double force,
                                 double pressure, const std::string& of_what) const {
     const double highest = highest_contact_pressure * spindle_.seat.hardness;
     if (pressure > highest)
-      s.fail(key, fmt::format("{} = {:.10g} N: the contact pressure of {} is {:.4g} MPa; with "
-                              "hardness_GPa = {:.4g} it must be at most {:.4g} MPa",
+      s.fail(key, fmt::format("{} = {:.10g} N: this force on {} causes a contact pressure of "
+                              "{:.4g} MPa. With hardness_GPa = {:.4g}, the formula for the contact "
+                              "conductance is valid only up to {:.4g} MPa; reduce the force",
                               key, force, of_what, pressure / MPa, spindle_.seat.hardness / GPa,
                               highest / MPa));
   }
@@ -285,12 +286,14 @@ class SpindleCheck {
           }
       if (std::isinf(smallest))
         s.fail(key,
-               fmt::format("{} = {:.10g} N: there is no contact, because no shoulder and no other "
-                           "ring touches the {}",
-                           key, force, rings));
-      require_contact_pressure(s, key, force, force / smallest,
-                               fmt::format("the face of {:.4g} mm2 at the bearing at {}",
-                                           smallest / (mm * mm), in_mm(position(where))));
+               fmt::format(
+                   "{} = {:.10g} N: the clamping force acts on no face, because neither a shoulder "
+                   "nor another ring touches the {}; correct the geometry or remove this key",
+                   key, force, rings));
+      require_contact_pressure(
+          s, key, force, force / smallest,
+          fmt::format("the smallest ring face ({:.4g} mm2, at the bearing at {})",
+                      smallest / (mm * mm), in_mm(position(where))));
     };
     look(
         "inner_clamping_force_N", spindle_.seat.inner_clamping_force,
@@ -379,8 +382,9 @@ class SpindleCheck {
     const Section s = tables_.section("shaft");
     const auto require = [&](std::string_view list, std::size_t k, double at) {
       if (!shaft_.holds(at, at))
-        tables_in(s, list)[k].fail("position_mm",
-                                   fmt::format("position_mm = {}: {}", in_mm(at), shaft_reach()));
+        tables_in(s, list)[k].fail(
+            "position_mm", fmt::format("position_mm = {}: this position is outside; {}", in_mm(at),
+                                       shaft_reach()));
     };
     const model::ShaftBody& body = spindle_.shaft;
     for (std::size_t k = 0; k < body.supports.size(); ++k)
@@ -404,13 +408,16 @@ class SpindleCheck {
   static void require_radius(const Section& s, double radius, double from, double to,
                              std::string_view what) {
     if (radius < from - rounding || radius > to + rounding)
-      s.fail("radius_mm", fmt::format("radius_mm = {}: at this position, {} reaches from {} to {}",
-                                      in_mm(radius), what, in_mm(from), in_mm(to)));
+      s.fail("radius_mm",
+             fmt::format(
+                 "radius_mm = {}: at this position, the radius must be inside {}, from {} to {}",
+                 in_mm(radius), what, in_mm(from), in_mm(to)));
   }
 
   void check_sensor(const Section& s, const ThermometerPlace& place) const {
     const auto outside = [&](const std::string& why) {
-      s.fail("position_mm", fmt::format("position_mm = {}: {}", in_mm(place.position), why));
+      s.fail("position_mm", fmt::format("position_mm = {}: this position is outside; {}",
+                                        in_mm(place.position), why));
     };
     switch (place.part) {
       case ThermometerPlace::Part::shaft: {

@@ -128,10 +128,11 @@ void read_positions(const ModelTables& tables, const model::Shaft& shaft, Spindl
   const auto read = [&](const char* key, std::size_t count) {
     if (!s.find(key)) {
       if (spindle.network) return std::vector<double>();
-      throw MissingKey(fmt::format("{}: [arrangement] {} is missing: give a list of {} with the "
-                                   "distances of the bearing centres behind the nose face",
-                                   s.place(), key, count),
-                       s.at(key));
+      throw MissingKey(
+          fmt::format("{}: [arrangement] {} is missing: give a list of numbers (bearings: {}), the "
+                      "distances of the bearing centres behind the nose face",
+                      s.place(), key, count),
+          s.at(key));
     }
     std::vector<double> list = numbers(s, key, *s.find(key), count);
     for (double& value : list) value *= mm;

@@ -83,7 +83,7 @@ const Key drive_keys[]{
     {"belt_angle_deg", between(-360, 360, "deg"), 0.0,
      "angle of the belt force, measured from +y (direction of radial loads at the nose) towards "
      "+z"},
-    {"position_mm", on_the_shaft, "heated part: the shaft behind the last bearing",
+    {"position_mm", on_the_shaft, "the shaft behind the last bearing is heated",
      "distance of the belt, and of the middle of the heated part, behind the nose face; required "
      "with belt_force_N"},
     {"length_mm", between(0.1, longest_mm, "mm"), unset, "length of the heated part"},
@@ -100,10 +100,12 @@ const Key heat_keys[]{
      "(shaft behind the last bearing), seal (shaft before the first bearing), or a bearing such as "
      "front_1 or rear_1"},
     {"position_mm", anywhere, "from the key \"at\"",
-     "distance of the middle of the heated part behind the nose face; required for shaft and "
-     "housing, and with length_mm"},
+     "distance of the middle of the heated part behind the nose face; required with at = \"shaft\" "
+     "or \"housing\", "
+     "or if length_mm is given"},
     {"length_mm", between(0.1, longest_mm, "mm"), "from the key \"at\"",
-     "length of the heated part; required for shaft and housing, and with position_mm"},
+     "length of the heated part; required with at = \"shaft\" or \"housing\", or if position_mm is "
+     "given"},
     {"radius_mm", between(0, 5000, "mm"), "all cells from bore to surface",
      "radius of the heated cells of shaft or housing"},
     {"shaft_share", between(0, 1), 0.5,

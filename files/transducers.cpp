@@ -123,8 +123,9 @@ class TransducerReader {
             fmt::format("{}: [transducers] {} {}: the {} transducers cannot separate this "
                         "displacement from the others",
                         c.place.text(), c.displacement->name,
-                        size == 0.0 ? "has only factors of 0"
-                                    : fmt::format("follows from {}", text::listed(names)),
+                        size == 0.0
+                            ? "has only factors of 0"
+                            : fmt::format("is a linear combination of {}", text::listed(names)),
                         all.size()),
             c.place);
       before.push_back(row.normalized());

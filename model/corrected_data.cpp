@@ -62,11 +62,12 @@ std::string correction_text(const Model& model, const effects::Effect& effect) {
   if (std::string oil = oil_text(before, after); !oil.empty()) return oil;
   if (std::isnan(after.temperature)) return {};
   if (effect.description->parameters.front().unit == "K")
-    return fmt::format("the film is {:.2g} K {} than the recorded temperature",
+    return fmt::format("the lubricant film is {:.2g} K {} than the recorded temperature",
                        std::abs(after.temperature - warm),
                        after.temperature > warm ? "warmer" : "colder");
-  return fmt::format("the sensor shows {:.0f} % of the temperature rise of the film above {:.1f} C",
-                     100.0 * effect.values.front(), celsius(before.room));
+  return fmt::format(
+      "the sensor shows {:.0f} % of the temperature rise of the lubricant film above {:.1f} C",
+      100.0 * effect.values.front(), celsius(before.room));
 }
 
 }  // namespace raceway::model

@@ -229,7 +229,7 @@ void Judge::add_notes(Findings& findings) const {
                   lost_.value, lost_.value == 1.0 ? " has" : "s have"));
   add(bottom, bottom_, 1.0,
       fmt::format("without an axial load, the balls run at the bottom of the grooves, at a contact "
-                  "angle of about 0 deg; an axial load of {:.3g} N would press half of them "
+                  "angle of about 0 deg; an axial load of {:.3g} N would press half of the balls "
                   "against the shoulders",
                   bottom_.value));
   add(far_side, far_, degree,

@@ -31,7 +31,7 @@ spindle::State parse_spindle_state(const std::string& text, const std::string& s
   const text::json document = text::json::parse(text, nullptr, false);
   if (document.is_discarded()) fail("is not JSON; raceway spindle --end-state writes a state file");
   if (!document.is_object() || !document.contains("spindle_state"))
-    fail("is not the state of a spindle; raceway spindle --end-state writes one");
+    fail("is not the state of a spindle; raceway spindle --end-state writes such a file");
   if (const text::json format = document.value("format", text::json(text::format_number));
       format != text::format_number)
     fail(fmt::format("format = {}: {}", format.dump(), text::other_format));

@@ -106,8 +106,9 @@ class RunRegression {
     if (!parts.empty())
       add_torques(parts, torques);
     else if (summary_.samples < options_.fewest_samples)
-      note("only {} usable sample{} left; a torque needs at least {}, so the run is not used",
-           summary_.samples, summary_.samples == 1 ? "" : "s", fewest());
+      note(
+          "the run has only {} usable sample{}; a torque needs at least {}, so the run is not used",
+          summary_.samples, summary_.samples == 1 ? "" : "s", fewest());
     return summary_;
   }
 
@@ -164,8 +165,10 @@ class RunRegression {
       count += alike.size();
     }
     if (!shared.empty())
-      note("{} samples share {} time{} and are averaged (first in {})", count, shared.size(),
-           shared.size() == 1 ? "" : "s", record_.place(shared.front()));
+      note(
+          "{} samples have only {} different time{}, so samples of the same time are averaged "
+          "(first in {})",
+          count, shared.size(), shared.size() == 1 ? "" : "s", record_.place(shared.front()));
     return distinct;
   }
 
@@ -248,8 +251,8 @@ class RunRegression {
                          averaged(parts[w], parts[w].size()).front(), row});
     }
     if (!driven.empty())
-      note("{} window{} without a fall of the speed {} not used ({})", driven.size(),
-           driven.size() == 1 ? "" : "s", driven.size() == 1 ? "is" : "are",
+      note("{} group{} of neighbouring samples without a fall of the speed {} not used ({})",
+           driven.size(), driven.size() == 1 ? "" : "s", driven.size() == 1 ? "is" : "are",
            places_text(record_, driven));
     summary_.rows = static_cast<int>(deviations.size());
     if (deviations.empty()) return;
@@ -282,7 +285,7 @@ std::string no_torque(const record::Record& record, const std::vector<CoastDownR
   if (longest->samples >= options.fewest_samples)
     return record.source + ": the speed never falls, so there is no torque";
   return fmt::format(
-      "{}: {}{} samples are too few for a torque, at least {} are needed{}", record.source,
+      "{}: {}{} samples are too few for a torque, which needs at least {} samples{}", record.source,
       of_run(longest->run), longest->samples, options.fewest_samples,
       runs.size() > 1 ? fmt::format("; none of the {} runs has more", runs.size())
       : longest->before_release > 0

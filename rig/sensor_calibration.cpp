@@ -142,8 +142,8 @@ class Calibrator {
     if (const auto turn =
             turning_torque(fit.unscaled(), levels_.front().torque, levels_.back().torque))
       throw std::invalid_argument(
-          fmt::format("the signal changes direction at {:.4g} N m: one signal belongs to two "
-                      "torques, so the curve has no inverse",
+          fmt::format("the curve has a maximum or minimum at {:.4g} N m: one signal belongs to two "
+                      "torques, so the program cannot calculate the torque from a signal",
                       *turn));
   }
 
@@ -208,7 +208,7 @@ class Calibrator {
     if (!(p < sensor_significance)) return;
     result_.warnings.push_back(record::note::misfit(
         fmt::format("a {} differs from the readings by up to {:.3g} V, {:.2g} % of the signal "
-                    "range, more than chance explains ({}): use --degree {}",
+                    "range, which is more than chance explains ({}): use --degree {}",
                     degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
                     chance(p), best_)));
   }
@@ -349,8 +349,8 @@ class Calibrator {
           {.line = readings_[i].line}));
     }
     if (found > shown)
-      result_.warnings.push_back(record::note::check_data(
-          fmt::format("number of further readings as far off the curve: {}", found - shown)));
+      result_.warnings.push_back(record::note::check_data(fmt::format(
+          "number of further readings that are too far off the curve: {}", found - shown)));
   }
 
   /// Torque and signal alike to the last digit are usually rows copied, at times a coarse signal.

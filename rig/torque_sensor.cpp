@@ -170,7 +170,7 @@ SensedTorques sensed_torques(const TorqueSensor& sensor, std::span<const double>
   if (*std::min_element(std.begin(), std.end()) < least_std) {
     result.std.clear();
     result.notes.push_back(record::note::unknown(
-        from + ": the calibration has no scatter, so the rows have no std_Nmm",
+        from + ": the readings of the calibration have no scatter, so the rows have no std_Nmm",
         {.key = "torque_sensor"}));
   } else {
     result.notes.push_back(record::note::read_as(

@@ -35,8 +35,8 @@ Start start_of(Messages& messages, const std::string& model) {
   files::ModelFile file = open_model(messages, model);
   if (file.catalogue.empty())
     throw text::InputError(
-        fmt::format("raceway calibrate: DATA is missing. To fit the conformity to printed "
-                    "rigidities instead, {} needs catalogue = \"NAME\" under [bearing]",
+        fmt::format("raceway calibrate: DATA is missing. To fit the conformity to the rigidities "
+                    "in the catalogue instead, {} needs catalogue = \"NAME\" under [bearing]",
                     model),
         {.file = model, .key = "catalogue"});
   return {files::find_bearing(files::read_catalogues(), file.catalogue), std::move(file.text),
@@ -63,9 +63,9 @@ std::string with_conformity(const std::string& text, const shaft::ConformityFit&
   for (const shaft::PairRigidity& c : fit.classes)
     names += (names.empty() ? "" : ", ") + c.preload_class;
   const double shown = std::round(fit.conformity * 1e5) / 1e5;  // far below its standard error
-  const std::string origin =
-      fmt::format("fitted to the catalogue rigidity at preload {}{}", names,
-                  std::isnan(fit.std) ? "" : fmt::format(", std {}", text::number(fit.std, 1)));
+  const std::string origin = fmt::format(
+      "fitted to the catalogue rigidity of preload class {}{}", names,
+      std::isnan(fit.std) ? "" : fmt::format(", standard error {}", text::number(fit.std, 1)));
   return files::with_values(
       text, std::vector<files::KeyValue>{
                 {"bearing.inner_conformity", shown, origin},
@@ -80,15 +80,15 @@ bool CatalogueConformity::found() const {
 
 std::string CatalogueConformity::problem() const {
   return found() ? std::string()
-                 : fmt::format("no conformity from {} to {} gives the printed rigidities",
+                 : fmt::format("no conformity from {} to {} gives the rigidities of the catalogue",
                                shaft::lowest_conformity, shaft::highest_conformity);
 }
 
 std::vector<std::string> CatalogueConformity::warnings() const {
   if (!found() || !(fit.rms > poor)) return {};
   return {
-      fmt::format("the rigidities with this conformity differ from the printed rigidities by "
-                  "{:.2g} % (rms): use the conformity with care",
+      fmt::format("the rigidities with this conformity differ from the rigidities of the catalogue "
+                  "by {:.2g} % (RMS): use the conformity with care",
                   100.0 * fit.rms)};
 }
 

@@ -96,7 +96,7 @@ void require_trust(const control::ControlPlan& plan) {
     throw text::InputError(
         fmt::format(
             "{}: the model has neither a channel nor an effect, so it corrects nothing. Export the "
-            "file that identify wrote, or use --accept-untrusted to export this one",
+            "file that identify wrote, or use --accept-untrusted to export this model",
             plan.source),
         {.file = plan.source, .key = "--accept-untrusted"});
 }

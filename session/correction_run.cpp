@@ -68,7 +68,7 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
   if (bad != result.predicted.end())
     messages.push_back(record::note::no_prediction(
         fmt::format("{}: no displacement is predicted from {} on, because the input of a delay "
-                    "element is outside its range",
+                    "element is outside the range of this element",
                     model.displacement->name,
                     record.place(static_cast<std::size_t>(bad - result.predicted.begin())))));
   return result;
@@ -116,11 +116,11 @@ correction::LearningOptions options_of(const LearningChoices& choices) {
 std::vector<std::string> notes_on(const correction::Model& model) {
   std::vector<std::string> notes;
   if (std::isnan(model.tolerance))
-    notes.push_back(
-        fmt::format("{}: the model has no {}: the program assumes a standard deviation of {:g} {} "
-                    "for the error of the model, and never asks for a reading",
-                    model.displacement->name, correction::in_unit_of(model, "tolerance_um"),
-                    correction::usual_misfit / um, correction::unit_of(model)));
+    notes.push_back(fmt::format(
+        "{}: the model has no {}: the program assumes a standard deviation of {:g} {} for the "
+        "error of the model, and does not calculate when the next reading is needed",
+        model.displacement->name, correction::in_unit_of(model, "tolerance_um"),
+        correction::usual_misfit / um, correction::unit_of(model)));
   if (std::isnan(model.measured_std))
     notes.push_back(
         fmt::format("{}: the model has no {}: the program assumes a standard deviation of {:g} {} "

@@ -231,7 +231,7 @@ ArxModels::Text ArxModels::text() const {
     result.notes.push_back(record::note::limits(
         fmt::format("{}: ARX of order {} has the smallest RMS error over the second half of the "
                     "record ({:.3g} {unit} simulated, {:.3g} {unit} one step ahead). A control "
-                    "runs the simulation and must call it every {:.10g} s",
+                    "uses the simulation and must calculate one step every {:.10g} s",
                     displacement->name, best->order, best->second_half.rms / um,
                     best->one_step.rms / um, baseline.sampling,
                     fmt::arg("unit", displacement->unit)),

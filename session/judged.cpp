@@ -313,8 +313,8 @@ Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
   if (slope > model::limits::nose_slope.value * mrad)
     findings.push_back(
         model::finding(model::limits::nose_slope, slope / mrad,
-                       fmt::format("the slope of the nose is {:.3g} mrad, above {:g} mrad: the "
-                                   "tilt of the bearings exceeds their limit",
+                       fmt::format("the slope of the nose is {:.3g} mrad, above {:g} mrad: at "
+                                   "this slope, the bearings are tilted beyond their limit",
                                    slope / mrad, model::limits::nose_slope.value)));
   return findings;
 }
@@ -323,7 +323,7 @@ std::vector<record::Note> states_not_counted(const model::Model& model) {
   if (model.law != friction::FrictionLaw::table) return {};
   return {record::note::limits(fmt::format(
       "for states outside the friction table {} ({}), the program uses the value at the edge of "
-      "the table; this command does not count these states, but raceway spindle does",
+      "the table. This command does not count these states; use raceway spindle to count them",
       model.table->file, model.table->range()))};
 }
 

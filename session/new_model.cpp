@@ -117,7 +117,7 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
       throw text::InputError(
           std::string(e.what()) +
               "\nto estimate the inner geometry of a bearing that is not in the catalogue, give "
-              "--bore and --outer-diameter, and --balls if you know it",
+              "--bore and --outer-diameter, and --balls if you know the number of balls",
           e.place);
     }
   }

@@ -92,8 +92,8 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file) {
   const bool skf = !taken.empty() && law != friction::FrictionLaw::skf;
   messages.say(record::note::ignored(
       fmt::format(
-          "{}: the friction torque by {} does not depend on {}{}; {}law = \"contact\" uses all of "
-          "them (docs/laws.md)",
+          "{}: the friction torque by {} does not depend on {}{}; {}law = \"contact\" uses all "
+          "these quantities (docs/laws.md)",
           file.source, friction::name(law), fmt::join(ignored, ", "),
           model::needs_equilibrium(file.model) ? "" : " and running contact angles",
           skf ? fmt::format("law = \"skf\" uses {}, and ", fmt::join(taken, ", ")) : std::string()),

@@ -88,8 +88,8 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
                            {.file = file.source, .key = axial});
   if (given.moments && model.solver.tilt == bearing::Tilt::locked)
     messages.say(record::note::ignored(
-        fmt::format("{}: {} have no effect, because the tilt is locked; set [solver] tilt = "
-                    "\"free\" to let the balls carry them",
+        fmt::format("{}: {} have no effect, because the tilt is locked; with [solver] tilt = "
+                    "\"free\", the balls carry the moments",
                     file.source,
                     named(wording, "--moment-y and --moment-z", "moment_y_Nmm and moment_z_Nmm")),
         {.file = file.source}));

@@ -32,7 +32,7 @@ std::vector<std::string> shaft_warnings(const model::Model& model,
     const std::string places = places_of(r, model.shaft->arrangement), speeds = speeds_of(r);
     lines.push_back(
         r.what == shaft::Unloaded::no_contact
-            ? fmt::format("{}: without load, the balls have no contact with the inner ring {}",
+            ? fmt::format("{}: no load, so the balls have no contact with the inner ring {}",
                           places, speeds)
             : fmt::format("{}: the load is below the minimum load {}: {:.4g} N instead of at least "
                           "{:.4g} N; balls may skid",

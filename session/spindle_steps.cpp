@@ -93,12 +93,13 @@ correction::Model chosen_model(Messages& messages, const SpindleSteps& steps,
   const results::Superposition of_two =
       results::superposition(*model, two, trial, conditions_of(steps), q.cancelled);
   if (!of_one.report.converged()) return two;
-  messages.say(record::note::assumed(fmt::format(
-      "test over {:.0f} h with a new speed every half hour: RMS error {:.3g} um with one delay "
-      "element, {:.3g} um with two. The correction has {} delay element{}; {} changes this number",
-      trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
-      of_one.rms <= of_two.rms ? "one" : "two", of_one.rms <= of_two.rms ? "" : "s",
-      named(q.wording, "--lags", "lags"))));
+  messages.say(record::note::assumed(
+      fmt::format("test over {:.0f} h with a new speed every half hour: the RMS error is {:.3g} um "
+                  "with one delay element and {:.3g} um with two. The correction has {} delay "
+                  "element{}; {} changes this number",
+                  trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
+                  of_one.rms <= of_two.rms ? "one" : "two", of_one.rms <= of_two.rms ? "" : "s",
+                  named(q.wording, "--lags", "lags"))));
   return of_one.rms <= of_two.rms ? one : two;
 }
 

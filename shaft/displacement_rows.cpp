@@ -57,8 +57,8 @@ std::string note_on_standstill(const record::Record& record) {
   if (rows == 0 || !(most - least > 1e-3 * std::max(std::abs(most), std::abs(least)))) return {};
   return fmt::format(
       "{} row{} at standstill with axial loads from {:.6g} to {:.6g} N: axial_displacement_um is "
-      "measured from standstill under the same load, so the model gives 0 um for such rows; for a "
-      "load-deflection curve use axial_position_um of raceway table --speed 0 --axial-load "
+      "measured from standstill under the same load, so the model gives 0 um for such rows. For a "
+      "load-deflection curve, use axial_position_um of raceway table --speed 0 --axial-load "
       "FROM:TO:STEP",
       rows, rows == 1 ? "" : "s", least, most);
 }

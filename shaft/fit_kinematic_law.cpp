@@ -43,7 +43,8 @@ Input checked(std::span<const DisplacementPoint> curve) {
       throw std::invalid_argument(
           fmt::format("displacement = {} um: must be finite", p.displacement / um));
     if (!std::isnan(p.std) && !(p.std > 0.0 && std::isfinite(p.std)))
-      throw std::invalid_argument(fmt::format("std = {} um: must be positive", p.std / um));
+      throw std::invalid_argument(
+          fmt::format("std = {} um: must be above 0 and finite", p.std / um));
     in.weighted = in.weighted && !std::isnan(p.std);
     in.largest = std::max(in.largest, std::abs(p.displacement) / um);
     if (p.speed > 0.0) {
@@ -67,7 +68,7 @@ Input checked(std::span<const DisplacementPoint> curve) {
   if (std::all_of(points.begin(), points.end(),
                   [](const auto& p) { return p.displacement == 0.0; }))
     throw std::invalid_argument(
-        "all displacements are 0: nothing to fit (a symmetric set does not move)");
+        "all displacements are 0, as for a symmetric arrangement, so there is nothing to fit");
   in.lowest_speed = in.rows_at_standstill > 0 ? 0.0 : points.front().speed;
   in.highest_speed = points.back().speed;
   for (const DisplacementPoint& p : points) {

@@ -83,8 +83,7 @@ double interference_for(const bearing::RollerBearing& bearing, const RollerSeats
     std::ostringstream text;
     text << "mounted_clearance = " << mounted_clearance / um << " um: must be at most "
          << g.radial_clearance / um
-         << " um, the clearance of the bearing, which must be given as the clearance before "
-            "mounting";
+         << " um, the radial_clearance of the bearing; clearance_state must be free";
     throw std::invalid_argument(text.str());
   }
   // A seat that holds is linear in its interference.

@@ -190,7 +190,7 @@ std::vector<double> fit_decay(std::span<const double> time, std::span<const doub
   check_step(time, displacement);
   if (gains.empty() || gains.size() > 2)
     throw std::invalid_argument(
-        "gains: give one gain for each lag of the decay, which has one or two lags");
+        "gains: give one gain for each lag of the decay; the decay can have one or two lags");
   const Eigen::Map<const Eigen::VectorXd> t(time.data(), static_cast<Eigen::Index>(time.size())),
       u(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
   const auto [lower, upper] = log_bounds(time);

@@ -39,8 +39,8 @@ Recorded means_of_record(const fit::Subject& subject, const record::Record& reco
 void require_readings(const Approximation& a, const Recorded& on, const record::Record& record) {
   if (on.means.list.size() < 2 * a.names.size())
     throw std::invalid_argument(
-        fmt::format("{}: {} readings at different minutes are too few for {} free parameters: a "
-                    "fit needs two or more for each parameter",
+        fmt::format("{}: {} readings are too few for {} free parameters: a fit needs two or more "
+                    "for each parameter. Rows that are close in time count as one reading",
                     record.source, on.means.list.size(), a.names.size()));
 }
 

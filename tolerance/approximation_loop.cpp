@@ -98,8 +98,8 @@ class Inquiry {
     for (const fit::Measured& m : channels_)
       if (!std::isfinite(m.tolerance))
         throw std::invalid_argument(
-            fmt::format("a model of {} is approximate, so the verdict depends on the error that "
-                        "you accept: enter tolerance_{} (or --tolerance)",
+            fmt::format("a verdict on {} needs the largest RMS error that you accept: enter "
+                        "tolerance_{} (or --tolerance)",
                         m.channel->words, m.channel->key_unit()));
     recorded_ = recorded(*subject_, for_search(std::make_shared<const record::Record>(record)),
                          usual_width(record));
@@ -161,8 +161,9 @@ class Inquiry {
     constexpr std::size_t least = 16, enough = 40;
     if (count < least)
       throw std::invalid_argument(
-          fmt::format("{} readings of {} at different minutes: a verdict needs {} or more", count,
-                      words_of_read(), least));
+          fmt::format("{} readings of {} are too few: a verdict needs {} or more. Rows that are "
+                      "close in time count as one reading",
+                      count, words_of_read(), least));
     few_readings_ = count < enough;
     if (few_readings_)
       result_.messages.push_back(record::note::limits(fmt::format(

@@ -306,13 +306,14 @@ Calibration fit_moving(const fit::Subject& started, const std::optional<Evidence
     }
     result.messages.push_back(record::note::not_identifiable(
         lost->at_bound != record::Bound::none
-            ? fmt::format("these data do not determine {}: the fit ends at its bound, {}, so the "
-                          "program keeps it at {}. Check sign and unit of the readings",
+            ? fmt::format("these data do not determine {}: the fit ends at a bound of this "
+                          "parameter, {}, so the program keeps it at {}. Check sign and unit "
+                          "of the readings",
                           p.name, carried, held)
             : fmt::format(
-                  "these data do not determine {}: at the fitted value, {}, its standard "
-                  "error is larger than the range of its bounds, or other parameters "
-                  "change the readings in the same way. The program keeps this parameter at {}",
+                  "these data do not determine {}: at the fitted value, {}, its standard error is "
+                  "larger than the distance between its bounds, or other parameters change the "
+                  "readings in the same way. The program keeps this parameter at {}",
                   p.name, carried, held),
         {.key = p.name}));
   }

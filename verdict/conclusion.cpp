@@ -117,11 +117,12 @@ std::string Investigation::data_text(const Set& set) const {
   std::vector<std::string> bent;
   for (const Explanation* e : set)
     if (e->elastic) bent.push_back(id_of(*e));
-  const std::string by_another_law =
-      bent.empty()
-          ? ""
-          : fmt::format(" {} fits only with exponents that differ slightly from the catalogue.",
-                        joined(bent, "and"));
+  const std::string by_another_law = bent.empty()
+                                         ? ""
+                                         : fmt::format(
+                                               " {} fits only with exponents that differ slightly "
+                                               "from the exponents in the catalogue.",
+                                               joined(bent, "and"));
   return fmt::format("{} {} would mean wrong data, not missing physics: check {} first.",
                      by_another_law, joined(ids, "and"), joined(data, "and"));
 }
@@ -130,7 +131,7 @@ std::string Investigation::single_text() const {
   const Set& set = finding_.set;
   const Explanation& best = *set.front();
   if (!plausible_ || !holds_ || !doubt_.empty())
-    return fmt::format("Something is missing ({}); it acts like {}, {}: {}.{}",
+    return fmt::format("Something is missing ({}); it acts like {}, {} (fitted size: {}).{}",
                        p_text(result_.p_value), joined_sets(set),
                        !plausible_ ? "but its size is implausible"
                        : !holds_   ? "but the held-out rows do not confirm it"
@@ -184,12 +185,13 @@ std::string Investigation::several_text() const {
   const Explanation& best = *set.front();
   if (!holds_)
     return fmt::format(
-        "Something is missing ({}); {} together explain the rows of the fit, but the held-out rows "
-        "do not confirm this.",
+        "Something is missing ({}); {} together explain the fitted rows, but the held-out rows do "
+        "not confirm this.",
         p_text(result_.p_value), id_of(best));
   if (!doubt_.empty())
-    return fmt::format("Something is missing ({}); it acts like {} together, {}: {}.",
-                       p_text(result_.p_value), id_of(best), doubt_, size_text(problem_, best));
+    return fmt::format(
+        "Something is missing ({}); it acts like {} together, {} (fitted sizes: {}).",
+        p_text(result_.p_value), id_of(best), doubt_, size_text(problem_, best));
   return fmt::format(
       "Consistent with {} together, {}; gain {:.0f}, which falls by {:.0f} without the weakest "
       "effect; {}.{} Error {}{}.{}{}",
@@ -237,9 +239,10 @@ std::string Investigation::bent_text() const {
   for (const record::NamedValue& e : set.front()->exponents)
     exponents.push_back(fmt::format("{} {:+.2f}", e.name, e.value));
   return fmt::format(
-      "Something is missing that acts like {}, but with exponents that differ from the catalogue "
-      "by {} (with the exponents of the catalogue, the fit is rejected, {}). Either this effect "
-      "has another law here, or a similar effect is missing that is not in the catalogue.",
+      "Something is missing that acts like {}, but with exponents that differ from the exponents "
+      "in the catalogue by {} (with the exponents in the catalogue, the fit is rejected, {}). "
+      "Either this effect follows another law here, or a similar effect is missing that is not in "
+      "the catalogue.",
       joined_sets(set), fmt::join(exponents, ", "), p_text(pure));
 }
 

@@ -355,8 +355,9 @@ Eigen::VectorXd first_values(Evidence& evidence) {
   if (!first.converged)
     throw std::invalid_argument(
         problem.record->source + ": the fit of the model's own parameters does not converge; " +
-        (evidence.hint.empty() ? "free fewer parameters, or check the units of model and data"
-                               : evidence.hint));
+        (evidence.hint.empty()
+             ? "fit fewer parameters ([calibration] free), or check the units of model and data"
+             : evidence.hint));
   evidence.size = fit::floored(observed, first.prediction, 1.0);
   return first.values;
 }
@@ -411,9 +412,10 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
   evidence.base = fit::fit_response(evidence.response, evidence.whitening,
                                     problem.observed.measured, starts_of(start));
   if (!evidence.base.converged)
-    throw std::invalid_argument(problem.record->source +
-                                ": the fit of the model's own parameters does not converge; free "
-                                "fewer parameters, or check the units of model and data");
+    throw std::invalid_argument(
+        problem.record->source +
+        ": the fit of the model's own parameters does not converge; fit fewer parameters "
+        "([calibration] free), or check the units of model and data");
 }
 
 /// The noise of one channel held against what the refitted model leaves of it, and against repeats.
@@ -441,8 +443,8 @@ bool estimate_again(const Evidence& evidence, std::size_t channel, fit::NoiseMod
     noise.scale(factor);
     noise.degrees_of_freedom = left;
     notes.push_back(
-        record::note::noise(fmt::format("the misfit of {} is below the first estimate of the "
-                                        "noise; the new estimate is {:.2g} times the first",
+        record::note::noise(fmt::format("the misfit of {} is smaller than the estimated noise, so "
+                                        "the program multiplies this estimate by {:.2g}",
                                         observed.channels[channel].channel->words, factor)));
   }
   const double plain = rest.cwiseQuotient(noise.whitening.std()).squaredNorm() / left;

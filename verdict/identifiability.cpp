@@ -141,8 +141,8 @@ class Errors {
     p.std = factor_ * std::sqrt(covariance_(at, at)) / norm_[at];
     if (!(p.std > p.upper - p.lower)) return;
     result_.messages.push_back(record::note::not_identifiable(
-        fmt::format("these data do not determine {}: its standard error would be {}, more than the "
-                    "range of its bounds",
+        fmt::format("these data do not determine {}: the standard error would be {}, which is "
+                    "larger than the distance between the bounds of this parameter",
                     p.name, with_unit(p.std, p.unit, 5)),
         {.key = p.name}));
     p.identifiable = false;

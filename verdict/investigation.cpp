@@ -253,18 +253,19 @@ void Investigation::describe_base() {
   if (!base_is_identifiable())
     tell(record::note::not_identifiable(joined(problem_.base, "and") +
                                         " cannot all be separated by these data, so their values "
-                                        "are uncertain; free fewer of them under [calibration]"));
+                                        "are uncertain; fit fewer of them ([calibration] free)"));
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.undeclared_blocks && !d.noise.unknown_runs)
-      tell(record::note::plan(fmt::format(
-          "{}: blocks of rows in which a setting rises or falls have different offsets ({} rms), "
-          "as after a new clamping; each block is treated as a run (run_id defines other runs)",
-          d.channel().words, reading_text(d.channel(), d.noise.run_offset()))));
+      tell(record::note::plan(
+          fmt::format("{}: blocks of rows in which a setting rises or falls have different offsets "
+                      "({} rms), as after a new clamping. The program treats each block as a run; "
+                      "to define the runs yourself, add a column run_id",
+                      d.channel().words, reading_text(d.channel(), d.noise.run_offset()))));
     else if (d.noise.undeclared_blocks)
-      tell(
-          record::note::plan(fmt::format("{}: the rows form blocks in which a setting rises or "
-                                         "falls; each block is treated as a run",
-                                         d.channel().words)));
+      tell(record::note::plan(fmt::format(
+          "{}: the rows form blocks in which a setting rises or falls. The program treats each "
+          "block as a run; to define the runs yourself, add a column run_id",
+          d.channel().words)));
   tell_of_runs();
   tell_of_records();
   tell_of_growth();
@@ -366,7 +367,7 @@ std::string Investigation::doubt_about_time(const Set& set) const {
   const bool doubtful = std::all_of(
       set.begin(), set.end(), [this](const Explanation* e) { return may_be_block_offsets(*e); });
   return doubtful ? "but a sensor zero that was set before each block of rows may change the "
-                    "readings in the same way (mark the rows of each run with run_id)"
+                    "readings in the same way, because no column run_id marks the runs"
                   : "";
 }
 
@@ -570,7 +571,7 @@ void Investigation::try_other_bases() {
   const bool explained =
       result_.verdict != Verdict::not_in_catalogue && result_.verdict != Verdict::effect_like;
   if (!options_.other_bases || outside_the_inputs() || explained) return;
-  step(0.9, "trying other base models");
+  step(0.9, "trying other base laws");
   std::vector<CalibratedBase> bases = calibrate_other_bases(evidence_);
   for (const CalibratedBase& b : bases)
     if (!b.not_testable.empty()) result_.not_testable.push_back({b.base.id, b.not_testable});
@@ -682,7 +683,7 @@ void Investigation::tell_of_all_rows() {
     }
     result_.messages.push_back(record::note::rows_used(
         fmt::format("on all {} rows that can be predicted, the RMS error changes from {:.3g} to {} "
-                    "with the parameters from the rows of the fit",
+                    "with the parameters that were fitted to the chosen rows",
                     rows, std::sqrt(square_before / rows) / channel.factor,
                     reading_text(channel, std::sqrt(square_after / rows)))));
   }

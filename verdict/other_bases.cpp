@@ -27,7 +27,7 @@ CalibratedBase calibrate_other_base(const Evidence& evidence, fit::OtherBase bas
   e.parameters = e.response.parameters;
   const Eigen::VectorXd start = e.response.start();
   if (!e.response.at(start).allFinite()) {
-    result.not_testable = "this base model predicts none of the rows";
+    result.not_testable = "a model with this base law predicts none of the rows";
     return result;
   }
   e.response.find_affine_form();

@@ -43,7 +43,7 @@ std::string nothing_missing_text(const Diagnosis& d) {
   return fmt::format(
       "These data show no missing effect (p = {:.2g}, significance level 1 %).{}{}", d.p_value,
       found.empty() ? ""
-                    : " These effects would have been found, each from the given size on: " +
+                    : " These effects would have been found if they had at least the given size: " +
                           joined(found, "and") + ".",
       hidden.empty() ? ""
                      : " Effects such as " + joined(hidden, "and") + " could not have been found.");
@@ -88,10 +88,10 @@ std::string shift_text(const Diagnosis& d) {
   for (const record::Parameter& b : d.base) {
     const double share = b.start / b.value - 1.0;
     if (std::isfinite(share) && std::abs(share) >= 0.01)
-      texts.push_back(fmt::format("{} had been {:.0f} % too {}", b.name, 100.0 * std::abs(share),
+      texts.push_back(fmt::format("{} was {:.0f} % too {}", b.name, 100.0 * std::abs(share),
                                   share > 0.0 ? "high" : "low"));
   }
-  return texts.empty() ? "" : "; " + joined(texts, "and");
+  return texts.empty() ? "" : "; without this explanation, " + joined(texts, "and");
 }
 
 std::string measure_text(const Diagnosis& d) {

@@ -7,16 +7,18 @@
 namespace raceway::correction {
 
 /// The ambient temperature moves the machine. The displacement follows the mean of the recorded
-/// ambient temperatures that are not inputs of the model, with a gain and a first-order lag.
-/// Without such an ambient temperature, the displacement follows the mean of the temperatures of
-/// the machine base that are not inputs of the model.
+/// ambient temperatures with a gain and a first-order lag. If no ambient temperature is available,
+/// the mean temperature of the machine base is used instead. Temperatures that are already inputs
+/// of the model are left out.
 struct AmbientDrift final : EffectKind {
   static constexpr EffectCard ambient_card{
       .id = "ambient-drift",
       .title = "the room temperature moves the machine",
-      .form = "+ K/(1 + tau s) (mean of the room's temperatures)",
+      .form =
+          "+ K/(1 + tau s) u (u: mean of the room temperatures, K: gain, tau: time constant, s: "
+          "Laplace variable)",
       .needs = "a temperature of the room or of the machine base that the model does not use",
-      .confused = "slow-drift, a slow section, the motor's temperature",
+      .confused = "slow-drift, a slow lag of another input, the temperature of the motor",
       .numbers = gain_and_time_constant,
       .needs_input = true};
 

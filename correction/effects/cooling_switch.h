@@ -5,8 +5,8 @@
 
 namespace raceway::correction {
 
-/// While the coolant is off, the gains and the time constants of a channel's lags are multiplied by
-/// two ratios, the parameters of the effect.
+/// While the coolant is off, the gains of a channel's lags are multiplied by the parameter
+/// gain_ratio, and their time constants by the parameter time_constant_ratio.
 struct CoolingSwitch final : EffectKind {
   static constexpr record::NumberCard gain_ratio{"gain_ratio", "1", 1.0, 0.1, 10, 0.1, 10, 1.0};
   static constexpr record::NumberCard time_ratio{
@@ -15,8 +15,10 @@ struct CoolingSwitch final : EffectKind {
   static constexpr EffectCard cooling_card{
       .id = "cooling-switch",
       .title = "gain and time constant change while the coolant is off",
-      .form = "dx/dt = (K u - x)/tau with K and tau times their ratios where coolant_on = 0",
-      .needs = "coolant_on that switches",
+      .form =
+          "dx/dt = (K u - x)/tau (u: input, x: state of the lag); while coolant_on = 0, K is "
+          "multiplied by gain_ratio and tau by time_constant_ratio",
+      .needs = "a column coolant_on that changes between 0 and 1",
       .confused = "motor-heat, thermal-asymmetry",
       .numbers = both,
       .of_channel = true,

@@ -5,9 +5,10 @@
 namespace raceway::correction {
 
 /// Two temperature columns have exchanged names, because two plugs or two column headers were
-/// exchanged. For each pair of temperatures with at least one input of the model, faults() returns
-/// a possible fault with a record in which the two columns are exchanged. Columns with jumps are
-/// left out. A pair is also left out if the mean of both columns is the input of a channel.
+/// exchanged. faults() returns a possible fault for each pair of temperatures if at least one of
+/// the two is an input of the model. The fault contains a corrected record, in which the two
+/// columns are exchanged back. The function does not consider columns with jumps, or pairs whose
+/// mean is the input of a channel.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

@@ -5,15 +5,15 @@
 
 namespace raceway::correction {
 
-/// The ball screw of an axis heats up as the axis moves. The displacement follows the absolute
-/// value of the feed rate or screw speed, with a gain and a first-order lag.
+/// The ball screw of an axis becomes warm as the axis moves. The displacement follows the absolute
+/// value of the feed rate or of the screw speed, with a gain and a first-order lag.
 struct FeedAxisHeat final : EffectKind {
   static constexpr EffectCard feed_card{
       .id = "feed-axis-heat",
       .title = "the screw of an axis warms up as it moves",
-      .form = "+ K/(1 + tau s) |feed|",
-      .needs = "a feed that moves independently of the speed",
-      .confused = "ambient-drift; second-time-constant where the feed follows the speed",
+      .form = "+ K/(1 + tau s) |feed| (K: gain, tau: time constant, s: Laplace variable)",
+      .needs = "a feed that varies independently of the spindle speed",
+      .confused = "ambient-drift; second-time-constant if the feed varies with the spindle speed",
       .numbers = gain_and_time_constant,
       .needs_input = true};
 

@@ -5,7 +5,8 @@
 
 namespace raceway::correction {
 
-/// The shaft moves instantly with a change of speed, by the law in shaft/kinematic_law.h.
+/// The shaft moves instantly when the speed n changes: u = A n^(1 - B exp(-C n)) with the
+/// parameters A, B and C, see shaft/kinematic_law.h.
 struct KinematicDisplacement final : EffectKind {
   static constexpr record::NumberCard A{"A", "um", 0.0, -any_size, any_size};
   static constexpr record::NumberCard B{"B", "1", 0.7, 0.0, 1.2, 0.0, 1.2, unset};
@@ -14,9 +15,9 @@ struct KinematicDisplacement final : EffectKind {
   static constexpr EffectCard kinematic_card{
       .id = "kinematic-displacement",
       .title = "the shaft moves immediately with speed",
-      .form = "+ A n^(1 - B exp(-C n))",
-      .needs = "readings at several speeds of the turning shaft",
-      .confused = "a section faster than 3 min; an offset-jump at a change of speed",
+      .form = "+ A n^(1 - B exp(-C n)) (n: spindle speed in rpm)",
+      .needs = "readings at several speeds above 0",
+      .confused = "a lag with a time constant below 3 min; offset-jump at a change of speed",
       .numbers = law};
 
   [[nodiscard]] const EffectCard& card() const override { return kinematic_card; }

@@ -7,9 +7,10 @@
 namespace raceway::correction {
 
 /// The heat of a motor moves the machine. The displacement follows the motor temperature with a
-/// gain and a first-order lag. If no motor temperature is recorded, or all recorded motor
-/// temperatures are already inputs of the model, the input of the lag is exp(-n/n0) while the
-/// spindle turns at the speed n, and 0 at standstill. n0 is the parameter decay_speed_rpm.
+/// gain and a first-order lag. The effect does not use motor temperatures that are already inputs
+/// of the model. If the record has no other motor temperature, the input of the lag is exp(-n/n0)
+/// while the spindle turns at the speed n, and 0 at standstill. n0 is the parameter
+/// decay_speed_rpm.
 struct MotorHeat final : EffectKind {
   static constexpr record::NumberCard decay_speed{
       "decay_speed_rpm", "rpm", 2000, 300, 8000, 300, 8000, unset};
@@ -18,10 +19,12 @@ struct MotorHeat final : EffectKind {
       .id = "motor-heat",
       .title = "the heat of a motor moves the machine",
       .form =
-          "+ K/(1 + tau s) u; u is the motor temperature, or exp(-n/n0) for n > 0 if it is not "
-          "recorded",
+          "+ K/(1 + tau s) u (K: gain, tau: time constant, s: Laplace variable). u is the motor "
+          "temperature. If no motor temperature is available, u is exp(-n/n0) while the spindle "
+          "turns at the speed n, with n0 = decay_speed_rpm",
       .needs = "a temperature of the motor, or speeds that change",
-      .confused = "speed-dependent-time-constant; a body that follows the motor",
+      .confused =
+          "speed-dependent-time-constant; a machine part that warms up together with the motor",
       .numbers = all};
 
   [[nodiscard]] const EffectCard& card() const override { return motor_card; }

@@ -13,8 +13,8 @@ inline constexpr record::NumberCard jump_time(std::string_view name) {
   return {name, "s", 0.0, -any_size, any_size, -any_size, any_size, unset};
 }
 
-/// The displacement reading jumps, for example because of a collet, a probe or a cable. The effect
-/// has up to three jumps, each with a size and a time.
+/// The displacement reading jumps, for example because of a loose collet, probe or cable. The
+/// effect has up to three jumps, each with a size and a time.
 struct OffsetJump final : EffectKind {
   static constexpr std::array jumps{jump_size("size"),   jump_time("time_s"),
                                     jump_size("size_2"), jump_time("time_2_s"),
@@ -22,7 +22,9 @@ struct OffsetJump final : EffectKind {
   static constexpr EffectCard jump_card{
       .id = "offset-jump",
       .title = "the reading jumps, for example because of a collet, a probe or a cable",
-      .form = "+ sum of c H(t - t1), at most three jumps",
+      .form =
+          "+ c H(t - t1) for each of at most three jumps (c: size, t1: time of the jump, H: "
+          "unit step)",
       .needs = "closely spaced readings before and after a jump",
       .confused = "kinematic-displacement, an unmeasured heat source that is switched on",
       .numbers = jumps,
@@ -42,8 +44,8 @@ struct OffsetJump final : EffectKind {
     if (!is_time(number)) return {};
     return {in.jump_times.begin(), in.jump_times.end()};
   }
-  /// Returns true for the size of the second and of the third jump: a model file may omit this jump
-  /// and the jump after it.
+  /// Returns true for the size of the second and of the third jump, because a model file may omit
+  /// these jumps.
   [[nodiscard]] bool may_end_before(std::size_t number) const override {
     return number > 0 && !is_time(number);
   }

@@ -12,18 +12,23 @@ namespace raceway::correction {
 
 /// A recorded quantity that is not an input of the model moves the machine. The displacement
 /// follows this quantity with a gain and a first-order lag. An axis position is not a heat source,
-/// so it has a gain but no lag. If all temperature inputs of the model have one common reference
-/// temperature, this reference is subtracted from a temperature column. An axis position can also
-/// define a window. In the window, the displacement follows the input of a channel with an
-/// additional gain and lag. Five windows within the recorded range of the position are tried.
+/// so the displacement follows the position without a lag. If the quantity is a temperature, and
+/// all temperature inputs of the model have the same reference temperature, this reference is
+/// subtracted.
+///
+/// An axis position can also define a window. While the axis is in the window, the displacement
+/// follows the input of a channel with an additional gain and lag. The program tries five windows
+/// within the recorded range of the position.
 struct RecordedInput final : EffectKind {
   static constexpr EffectCard recorded_card{
       .id = "input",
       .title = "a recorded quantity that the model does not use moves the machine",
       .form =
-          "+ K/(1 + tau s) u, and + K u for a position; if all temperature channels have a common "
-          "reference, this reference is subtracted from u; for a window of a position, + w K/(1 + "
-          "tau s) u of a channel, with w = 1 inside the window and 0 outside",
+          "+ K/(1 + tau s) u (u: recorded quantity, K: gain, tau: time constant, s: Laplace "
+          "variable). For a position: + K u. If u is a temperature and all temperature inputs "
+          "of the model have the same reference temperature, this reference is subtracted from "
+          "u. For a window of a position: + w K/(1 + tau s) u, where u is the input of a "
+          "channel, and w is a factor of the position from 0 (outside the window) to 1 (inside)",
       .needs =
           "a column that varies and that the model does not use: a temperature, power, current, "
           "load, torque, flow, pressure or position",
@@ -54,8 +59,8 @@ struct RecordedInput final : EffectKind {
     return list;
   }
 
-  /// Returns true for the time constant. If a model file omits it, the displacement follows the
-  /// column without a lag.
+  /// Returns true for the parameter with the index 1, the time constant, because a model file may
+  /// omit it. The displacement then follows the column without a lag.
   [[nodiscard]] bool may_end_before(std::size_t number) const override { return number == 1; }
 
   [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
@@ -76,10 +81,11 @@ struct RecordedInput final : EffectKind {
  private:
   static constexpr double endless = std::numeric_limits<double>::infinity();
 
-  /// Returns the windows that are tried: a factor that rises linearly over the recorded range, the
-  /// upper half of this range, and each third of it. The lower half needs no window: its response
-  /// is the response of the channel minus the response in the upper half. Limits are round numbers
-  /// in the unit of the column.
+  /// Returns the windows that are tried. In one window, the factor of the window rises linearly
+  /// from 0 to 1 over the recorded range of the position. The other windows are the upper half, the
+  /// lower third, the middle third and the upper third of the range. The lower half is not
+  /// necessary: its response is the response of the channel minus the response in the upper half.
+  /// The limits of the windows are round numbers in the unit of the column.
   static std::array<Window, 5> windows_of(const Channel& position, const Interval& range) {
     const double low = position.in_unit(range.lower), width = position.in_unit(range.upper) - low;
     const double grain = std::pow(10.0, std::floor(std::log10(width)) - 2.0);
@@ -95,13 +101,15 @@ struct RecordedInput final : EffectKind {
             between(third, third, two_thirds, two_thirds),
             between(two_thirds, two_thirds, endless, endless)};
   }
-  /// Returns false for ambient temperatures, speeds, feeds and the coolant state, which have
-  /// effects of their own, and for applied offsets. Returns true for all other inputs.
+  /// Returns true for the columns that this effect tests. Not tested are offsets that the control
+  /// applied, and columns for which another effect exists: ambient temperatures, speeds, feeds and
+  /// the coolant state.
   static bool is_nameless(const Channel& c) {
     return !record::is_ambient(c) && !record::acts_by_amount(c) && c.kind != record::offset_kind;
   }
   /// Returns the common reference temperature of all channels with a temperature as input; null if
-  /// there is none. A channel whose only input is this reference is ignored.
+  /// these channels have no common reference. A channel whose only input is this reference is
+  /// ignored.
   static const Channel* common_reference(const Model& m) {
     const Channel* common = nullptr;
     for (const DrivenChannel& c : m.channels)

@@ -5,15 +5,19 @@
 
 namespace raceway::correction {
 
-/// A second machine part warms up with another time constant. The displacement also follows the
-/// input of a channel with a second gain and a second first-order lag.
+/// A second part of the machine warms up with another time constant. The channel that describes the
+/// first part therefore gets a second first-order lag of the same input, with its own gain.
 struct SecondTimeConstant final : EffectKind {
   static constexpr EffectCard second_card{
       .id = "second-time-constant",
-      .title = "a second part that warms up more slowly than the first",
-      .form = "+ K/(1 + tau s) u on a channel",
-      .needs = "transients longer than three times the fast time constant",
-      .confused = "sensor-lag, kinematic-displacement (fast), slow-drift (slow)",
+      .title = "a second part of the machine has another time constant",
+      .form =
+          "+ K/(1 + tau s) u (u: input of a channel, K: gain, tau: time constant, s: Laplace "
+          "variable)",
+      .needs = "transients longer than three times the shorter of the two time constants",
+      .confused =
+          "sensor-lag; kinematic-displacement if the second lag is fast; slow-drift if the "
+          "second lag is slow",
       .numbers = gain_and_time_constant,
       .at_channel = true};
 

@@ -4,8 +4,8 @@
 
 namespace raceway::correction {
 
-/// The reading of a temperature sensor lags behind the temperature. The channel therefore has the
-/// input T (1 + τ s), with the reading T, the time constant τ of the sensor and the Laplace
+/// The reading of a temperature sensor lags behind the temperature. The input of the channel is
+/// therefore (1 + τ s) T, with the reading T, the time constant τ of the sensor and the Laplace
 /// variable s.
 struct SensorLag final : EffectKind {
   static constexpr record::NumberCard lag{
@@ -13,8 +13,10 @@ struct SensorLag final : EffectKind {
   static constexpr std::array one{lag};
   static constexpr EffectCard sensor_card{
       .id = "sensor-lag",
-      .title = "the sensor follows its temperature with a lag",
-      .form = "the input is (1 + tau_s s) T, with the sensor time constant tau_s",
+      .title = "the sensor reading follows the true temperature with a lag",
+      .form =
+          "the input of the channel is (1 + tau_s s) T (T: sensor reading, tau_s: time constant "
+          "of the sensor, s: Laplace variable)",
       .needs = "a temperature as input",
       .confused = "second-time-constant, which looks nearly the same",
       .numbers = one,

@@ -7,17 +7,22 @@
 
 namespace raceway::correction {
 
-/// A slow machine part without a sensor settles over the whole record: c (1 - exp(-t/τ)), with the
-/// final displacement c and the time t since the start of the record.
+/// A part of the machine that warms up slowly has no sensor, and its temperature changes during the
+/// whole record. The displacement is c (1 - exp(-t/τ)). c is the final displacement, τ the time
+/// constant, and t the time since the start of the record, without the breaks between runs.
 struct SlowDrift final : EffectKind {
   static constexpr record::NumberCard size{"size", "um", 0.0, -any_size, any_size};
   static constexpr std::array both{size, time_constant_number};
   static constexpr EffectCard drift_card{
       .id = "slow-drift",
-      .title = "an unmeasured slow part of the machine settles over the whole record",
-      .form = "+ c (1 - exp(-t/tau))",
-      .needs = "pauses and a recorded room temperature",
-      .confused = "ambient-drift, a slow section",
+      .title =
+          "a slow part of the machine without a sensor warms up or cools down over the whole "
+          "record",
+      .form =
+          "+ c (1 - exp(-t/tau)) (c: final displacement, t: time since the start of the record, "
+          "tau: time constant)",
+      .needs = "pauses of the machine, and a recorded room temperature",
+      .confused = "ambient-drift, a slow lag of an input",
       .numbers = both,
       .of_reading = true};
 

@@ -17,7 +17,9 @@ struct SpeedDependentTimeConstant final : EffectKind {
   static constexpr EffectCard speed_card{
       .id = "speed-dependent-time-constant",
       .title = "the machine warms up faster at higher speed",
-      .form = "tau = tau0 f, K = K0 f^g, f = 1/(1 + s n/10 000 rpm)",
+      .form =
+          "tau = tau0 f, K = K0 f^g, f = 1/(1 + s n/10 000 rpm) (n: speed, tau0 and K0: time "
+          "constant and gain of the lag at standstill)",
       .needs = "several speeds and phases of cooling",
       .confused = "thermal-asymmetry, motor-heat",
       .numbers = both,

@@ -202,10 +202,10 @@ std::string EngineModel::with_values(const py::dict& values) const {
       continue;
     }
     if (found == known.end())
-      throw text::InputError(
-          name + ": no such parameter of " + file_.source +
-              "; give other numbers with table and key, such as lubricant.viscosity_40C_mm2_s",
-          {.key = name});
+      throw text::InputError(name + ": no such parameter of " + file_.source +
+                                 "; name a number of the model file by its table and key, such as "
+                                 "lubricant.viscosity_40C_mm2_s",
+                             {.key = name});
     for (const std::string& address : found->addresses)
       changes.push_back({.key = address, .value = value.cast<double>(), .comment = {}});
   }

@@ -65,9 +65,9 @@ std::vector<double> growing(const std::vector<double>& values, const text::Numbe
   for (std::size_t k = 0; k < values.size(); ++k) {
     text::require_range(values[k], range, name);
     if (k > 0 && values[k] <= values[k - 1])
-      throw text::InputError(
-          name + ": the values must be in ascending order; " + text::number(values[k]) + " is not",
-          {.key = name});
+      throw text::InputError(name + ": the values must be in ascending order, but " +
+                                 text::number(values[k]) + " is not above the value before it",
+                             {.key = name});
   }
   return values;
 }

@@ -132,15 +132,18 @@ TEST_F(Chain, CheckSaysBetweenWhichRowsSettingsHold) {
     const std::string text = file_text(chain + "machine.toml") + columns;
     return run("check " + scratch_.write(name, text) + " " + chain + "calibration.csv").out;
   };
-  const std::string until = "apply from this row to the next row; its reading was taken ";
+  const std::string until =
+      "apply from this row to the next row; the reading of the row was taken ";
   EXPECT_THAT(said("a.toml", ""),
               HasSubstr(until + "with the settings of this row (settings_hold is not given)"));
   EXPECT_THAT(
       said("b.toml", "[columns]\nsettings_hold = \"from row\"\n"),
       HasSubstr(until + "just before the change of the settings (settings_hold = \"from row\")"));
-  EXPECT_THAT(said("c.toml", "[columns]\nsettings_hold = \"until row\"\n"),
-              HasSubstr("apply from the previous row to this row; its reading was taken with the "
-                        "settings of this row (settings_hold = \"until row\")"));
+  EXPECT_THAT(
+      said("c.toml", "[columns]\nsettings_hold = \"until row\"\n"),
+      HasSubstr(
+          "apply from the previous row to this row; the reading of the row was taken with the "
+          "settings of this row (settings_hold = \"until row\")"));
 }
 
 TEST(PriorTable, WhatIsWrongIsSaid) {

@@ -17,7 +17,9 @@ TEST(Conformity, OfADesignationMakesAUsableModel) {
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("conformity of both grooves  0.5203"));
   const std::string text = file_text(model);
-  EXPECT_THAT(text, HasSubstr("# fitted to the catalogue rigidity at preload L, M, S, std"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("# fitted to the catalogue rigidity of preload class L, M, S, standard error"));
   EXPECT_THAT(text, Not(HasSubstr("assumed\nstatic")));
   const Result solved = run("solve " + model + " --speed 10000 --axial-load 600");
   EXPECT_EQ(solved.status, 0) << solved.err;
@@ -48,8 +50,8 @@ TEST(Conformity, SaysWhatIsMissing) {
   const std::string own = scratch.write("own.toml", model_text);
   const Result r = run("calibrate " + own);
   EXPECT_EQ(r.status, 1);
-  EXPECT_THAT(r.err, HasSubstr("raceway calibrate: DATA is missing. To fit the conformity to "
-                               "printed rigidities instead,"));
+  EXPECT_THAT(r.err, HasSubstr("raceway calibrate: DATA is missing. To fit the conformity to the "
+                               "rigidities in the catalogue instead,"));
   expect_refused(run("calibrate nothing.toml"), "nothing.toml: no such file");
 }
 
@@ -64,7 +66,8 @@ TEST(Conformity, IsNotWrittenWhereNoneIsPlausible) {
                 "RACEWAY_DATA=" +
                 folder + " $raceway calibrate \"S 6014 C\" -o " + scratch.file("a.toml"));
   EXPECT_EQ(r.status, 2);
-  EXPECT_THAT(r.err, HasSubstr("no conformity from 0.505 to 0.56 gives the printed rigidities"));
+  EXPECT_THAT(r.err,
+              HasSubstr("no conformity from 0.505 to 0.56 gives the rigidities of the catalogue"));
   EXPECT_EQ(file_text(scratch.file("a.toml")), "");
 }
 

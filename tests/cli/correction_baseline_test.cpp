@@ -82,7 +82,8 @@ TEST_F(CorrectionBaseline, ArxShowsWhyItIsNotUsed) {
   const std::string written = scratch_.file("arx.toml");
   const Result wrote = run(command + " -o " + written);
   ASSERT_EQ(wrote.status, 0) << wrote.err;
-  EXPECT_THAT(wrote.err, HasSubstr("A control runs the simulation and must call it every 60 s"));
+  EXPECT_THAT(wrote.err,
+              HasSubstr("A control uses the simulation and must calculate one step every 60 s"));
   EXPECT_THAT(file_text(written), HasSubstr("sampling_s = 60"));
   EXPECT_THAT(file_text(written), HasSubstr("numerator = ["));
   const Result ran = run("correct " + written + " " + coarse + " --json");

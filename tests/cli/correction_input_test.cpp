@@ -46,7 +46,7 @@ TEST_F(CorrectionInput, AGapIsNamedAndIsNoLeap) {
   const Result r = run("identify " + model_ + " " + gap);
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("1 gap in time, the first before line 303, the longest 1.2e+04 s"));
-  EXPECT_THAT(r.err, HasSubstr("give the rows after it another run_id"));
+  EXPECT_THAT(r.err, HasSubstr("enter another run_id for the rows after the gap"));
   EXPECT_THAT(r.err, Not(HasSubstr("leaps")));
 }
 
@@ -113,10 +113,10 @@ TEST_F(CorrectionInput, PowerBeyondTheDelayElementIsSaid) {
   const Result r = run("correct " + element + " " + data);
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("no displacement is predicted from line 123 on, because the input "
-                               "of a delay element is outside its range"));
+                               "of a delay element is outside the range of this element"));
   const std::string beyond =
-      "channel power: 282.7 W in line 122: the power is outside the range of a delay element, "
-      "whose time constant is positive only below 214.7 W";
+      "channel power: 282.7 W in line 122: this power is outside the range of the delay element, "
+      "because the time constant of the element is positive only below 214.7 W";
   EXPECT_THAT(run("compare " + element + " " + data).err, HasSubstr(beyond));
   // Nothing is fitted that rests on it: calibrate and diagnose once ended without a word.
   for (const char* command : {"identify ", "calibrate ", "diagnose --tolerance 1um "})

@@ -134,7 +134,7 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
 TEST_F(Displacement, WarnsOfLostContact) {
   const Result r = raceway("displacement", "--speed 0 --axial-load 2000");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("warning: front_1, front_2: without load, the balls have no contact "
+  EXPECT_THAT(r.err, HasSubstr("warning: front_1, front_2: no load, so the balls have no contact "
                                "with the inner ring from 0 rpm on\n"));
 }
 

@@ -63,7 +63,7 @@ TEST(Export, OfAModelThatPredictsNothingIsRefused) {
   EXPECT_THAT(
       refused.err,
       HasSubstr(": the model has neither a channel nor an effect, so it corrects nothing. Export "
-                "the file that identify wrote, or use --accept-untrusted to export this one"));
+                "the file that identify wrote, or use --accept-untrusted to export this model"));
   EXPECT_FALSE(std::filesystem::exists(scratch.file("z.h")));
 }
 

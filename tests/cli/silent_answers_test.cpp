@@ -37,7 +37,7 @@ TEST_F(SilentAnswers, PalmgrenSaysThatItTakesNoAccountOfTheBalls) {
   const std::string expected =
       "my.toml: the friction torque by palmgren does not depend on ball_count, ball_diameter_mm, "
       "inner_conformity, outer_conformity, ball_material and running contact angles; law = \"skf\" "
-      "uses ball_material, and law = \"contact\" uses all of them (docs/laws.md)\n";
+      "uses ball_material, and law = \"contact\" uses all these quantities (docs/laws.md)\n";
   const std::string hybrid = with_balls("silicon-nitride");
   for (const char* verb : {"solve", "table"}) {
     const Result r = command(verb, hybrid, at_a_point);
@@ -197,8 +197,8 @@ TEST_F(SilentAnswers, CalibrateWritesNoPreloadThatTheDataDoNotHold) {
   const Result r =
       run("calibrate " + file + " " + scratch_.write("against.csv", data) + " -o " + out);
   EXPECT_EQ(r.status, 2) << r.out;
-  EXPECT_THAT(r.err, HasSubstr("these data do not determine preload_N: the fit ends at its bound, "
-                               "1e+08 N, so the program keeps it at 600 N"));
+  EXPECT_THAT(r.err, HasSubstr("these data do not determine preload_N: the fit ends at a bound of "
+                               "this parameter, 1e+08 N, so the program keeps it at 600 N"));
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

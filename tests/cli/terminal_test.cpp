@@ -96,9 +96,8 @@ TEST(Messages, OfOneKindAtMostThreeArePrinted) {
   for (std::size_t at = 0; (at = r.err.find("warning: ", at)) != std::string::npos; ++at)
     ++warnings;
   EXPECT_EQ(warnings, 4U) << r.err;
-  EXPECT_THAT(r.err,
-              testing::ContainsRegex(
-                  "warning: number of further messages of the kind .*: [0-9]+; --json lists all"));
+  EXPECT_THAT(r.err, testing::ContainsRegex("warning: number of further messages with the code .*: "
+                                            "[0-9]+; --json shows all messages"));
   EXPECT_GT(parsed(run(compare + " --json"))["beyond_range"].size(), 6U);
 }
 

@@ -121,7 +121,7 @@ TEST(CorrectionJoin, WhatCannotBeOneIsRefused) {
               refused("also has [correction.kinematic]"));
   EXPECT_THAT(
       join({spindle_part(), machine_part("[correction.range]\nspeed_rpm = [9500, 9900]\n")}),
-      refused("speed_rpm: its range does not overlap"));
+      refused("speed_rpm: the range of this input does not overlap"));
   EXPECT_THAT(
       join({spindle_part(),
             parse_correction("[correction]\ndisplacement = \"displacement_y_um\"\n", "y.toml")}),

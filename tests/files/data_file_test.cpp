@@ -338,18 +338,17 @@ TEST(DataFile, ACoastDownWithoutRunIdIsOneRun) {
 
 TEST(DataFile, ACoastDownThatGivesNoTorqueIsAnErrorOfTheFile) {
   EXPECT_EQ(data_error("run_id,time_s,speed_rpm\n" + falling("a", 5), flywheel()),
-            "d.csv: run a: 5 samples are too few for a torque, at least 7 are needed");
-  EXPECT_EQ(
-      data_error("run_id,time_s,speed_rpm\n" + falling("a", 5) + falling("b", 6), flywheel()),
-      "d.csv: run b: 6 samples are too few for a torque, at least 7 are needed; none of the 2 "
-      "runs has more");
+            "d.csv: run a: 5 samples are too few for a torque, which needs at least 7 samples");
+  EXPECT_EQ(data_error("run_id,time_s,speed_rpm\n" + falling("a", 5) + falling("b", 6), flywheel()),
+            "d.csv: run b: 6 samples are too few for a torque, which needs at least 7 samples; "
+            "none of the 2 runs has more");
 }
 
 TEST(DataFile, AShortRunBesideALongOneIsLeftOut) {
   const Record r =
       record_of("run_id,time_s,speed_rpm\n" + falling("a", 60) + falling("b", 3), flywheel());
   EXPECT_THAT(texts(r.notes),
-              Contains("run b: only 3 usable samples left; a torque needs at least 7, "
+              Contains("run b: the run has only 3 usable samples; a torque needs at least 7, "
                        "so the run is not used"));
   for (std::size_t i = 0; i < r.rows(); ++i) EXPECT_EQ(r.run_of(i), 0);
   EXPECT_THAT(r.runs, ElementsAre("a"));
@@ -360,9 +359,8 @@ TEST(DataFile, EqualTimesInACoastDownAreAveraged) {
   for (int k = 0; k < 60; ++k)
     text += fmt::format("a,{0},{1}\na,{0},{2}\n", k, 1000.3 - 9 * k, 999.7 - 9 * k);
   const Record r = record_of(text, flywheel());
-  EXPECT_THAT(texts(r.notes),
-              Contains("run a: 120 samples share 60 times and are averaged (first in "
-                       "line 2)"));
+  EXPECT_THAT(texts(r.notes), Contains("run a: 120 samples have only 60 different times, so "
+                                       "samples of the same time are averaged (first in line 2)"));
   for (std::size_t i = 0; i < r.rows(); ++i)
     EXPECT_NEAR(r.value(record::friction_torque, i), 0.85 * 9 * rpm, 1e-6);
 }

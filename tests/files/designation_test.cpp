@@ -147,7 +147,7 @@ TEST(Designation, AModelMayNameABearingThatNoCatalogueHas) {
   EXPECT_EQ(hybrid.model.name, "HCB7014-E");
   EXPECT_THAT(
       lines(hybrid.defaults),
-      testing::Contains("bearing.ball_material = \"silicon-nitride\" (by the designation)"));
+      testing::Contains("bearing.ball_material = \"silicon-nitride\" (from the designation)"));
   EXPECT_THAT(lines(read("7014").defaults),
               testing::Contains("bearing.contact_angle_deg = 15 (assumed, because the designation "
                                 "has no contact angle)"));

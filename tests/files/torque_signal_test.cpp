@@ -131,7 +131,7 @@ TEST(TorqueSensorTable, RefusesWhatIsNoSensor) {
                             "\"V/Nm\", \"V/Nm2\"]\nstd = [0, 0, 0]\ncorrelation = [[1], [0, 1], "
                             "[0, 0, 1]]\nresidual_std_V = 0\ntorque_from_Nm = 0\ntorque_to_Nm = "
                             "1\nsignal_from_V = 0\nsignal_to_V = 1\n"),
-              HasSubstr("the curve changes direction at 0.5 N m"));
+              HasSubstr("the curve has a maximum or minimum at 0.5 N m"));
   EXPECT_THAT(model_problem("[torque_sensor]\nfile = \"-\"\n"),
               HasSubstr("must be the name of a file"));
   EXPECT_THAT(model_problem("[torque_sensor]\nfile = \"none.toml\"\n"),

@@ -90,10 +90,11 @@ TEST(Transducers, ARecordWithoutAnyHasItsDisplacementsAsTheyStand) {
 }
 
 TEST(Transducers, ARowThatFollowsFromOthersIsRefused) {
-  EXPECT_THAT(nest_map(nest + "displacement_a_urad = { x1_um = 1, x2_um = 3 }\n"),
-              nest_refused("nest.toml:4: [transducers] displacement_a_urad follows from "
-                           "displacement_x_um and displacement_b_urad: the 2 transducers cannot "
-                           "separate this displacement from the others"));
+  EXPECT_THAT(
+      nest_map(nest + "displacement_a_urad = { x1_um = 1, x2_um = 3 }\n"),
+      nest_refused("nest.toml:4: [transducers] displacement_a_urad is a linear combination of "
+                   "displacement_x_um and displacement_b_urad: the 2 transducers cannot "
+                   "separate this displacement from the others"));
   EXPECT_THAT(nest_map("[transducers]\ndisplacement_z_um = { z_um = 1, z2_um = 0 }\n"),
               nest_refused("[transducers] z2_um: all factors of this transducer are 0"));
   EXPECT_THAT(nest_map("[transducers]\ndisplacement_z_um = { z_mm = 1 }\n"),

@@ -118,7 +118,7 @@ for (const name of ['diagnose', 'add', 'compare', 'runs'])
       assert.equal(asPrinted(await page.textContent('#sentence')), printed.headline);
       assert.equal(asPrinted(await page.textContent('.more')), printed.sentence);
       assert.deepEqual(ladder.map((row) => row.slice(1, 3)), [[printed.rmse_before, printed.rmse_held_out_um], ...printed.effects.map((e) => [e.rmse, e.rmse_held_out_um])]);
-      assert.ok((await page.textContent('main')).includes('needs coolant_on that switches'));
+      assert.ok((await page.textContent('main')).includes('needs a column coolant_on that changes between 0 and 1'));
     } else {
       assert.deepEqual(ladder.map((row) => row[1]), [printed.metrics.rmse_um]);
     }

@@ -297,8 +297,8 @@ TEST(CoastDown, AveragesSamplesOfOneTime) {
   const CoastDownTorque result = coast_down_torque(record, rig());
   EXPECT_EQ(result.runs[0].samples + result.runs[0].outliers, 400);  // the first second has nine
   EXPECT_THAT(texts(result.data.notes),
-              testing::Contains("run first: 3999 samples share 400 times and are "
-                                "averaged (first in line 2)"));
+              testing::Contains("run first: 3999 samples have only 400 different times, so samples "
+                                "of the same time are averaged (first in line 2)"));
   for (const Row& row : result.data.rows)
     EXPECT_NEAR(row.measured, with_drag(row.point.speed), 4e-3 * row.measured);
 }
@@ -323,9 +323,10 @@ TEST(CoastDown, LeavesOutARunThatIsTooShortByName) {
   }
   const CoastDownTorque result = coast_down_torque(record, rig());
   EXPECT_EQ(result.data.rows.size(), alone.data.rows.size());
-  EXPECT_THAT(texts(result.data.notes),
-              testing::Contains("run broken off: only 5 usable samples left; a torque needs at "
-                                "least 7, so the run is not used"));
+  EXPECT_THAT(
+      texts(result.data.notes),
+      testing::Contains("run broken off: the run has only 5 usable samples; a torque needs at "
+                        "least 7, so the run is not used"));
   ASSERT_EQ(result.runs.size(), 2U);
   EXPECT_EQ(result.runs[1].rows, 0);
 }

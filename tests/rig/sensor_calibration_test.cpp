@@ -230,7 +230,8 @@ TEST(SensorCalibration, ManySamplesOfACoarseSignalAreCountedAndNotListed) {
   for (std::size_t i = 0; i < 20; ++i) list[2000 * 5 + i].signal += 1.0;
   const SensorCalibration c = calibrate_sensor(list, 1);
   EXPECT_THAT(texts(c.notes), Contains(HasSubstr(", ...): they are treated as repeated readings")));
-  EXPECT_THAT(texts(c.warnings), Contains(HasSubstr("further readings as far off the curve: 15")));
+  EXPECT_THAT(texts(c.warnings),
+              Contains(HasSubstr("further readings that are too far off the curve: 15")));
 }
 
 TEST(SensorCalibration, WithoutScatterTellsOfNone) {
@@ -274,7 +275,7 @@ TEST(SensorCalibration, RefusesASignalThatTurns) {
   };
   const auto list = readings(up_and_down(1), turning);
   for (const std::optional<int> degree : {std::optional<int>(), std::optional(1)})
-    EXPECT_THAT(refusal(list, degree), HasSubstr("the signal changes direction at 6.2"));
+    EXPECT_THAT(refusal(list, degree), HasSubstr("the curve has a maximum or minimum at 6.2"));
 }
 
 TEST(SensorCalibration, RefusesASignalThatIsNoneOfTheTorque) {

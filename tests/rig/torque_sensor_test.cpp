@@ -138,7 +138,8 @@ TEST(SensedTorques, OfASensorWithoutScatterHaveNoStandardDeviation) {
   const SensedTorques sensed =
       sensed_torques(exact, std::vector<double>{0.6}, {}, std::vector<int>{2});
   EXPECT_THAT(sensed.std, IsEmpty());
-  EXPECT_THAT(texts(sensed.notes), Contains(HasSubstr("the calibration has no scatter")));
+  EXPECT_THAT(texts(sensed.notes),
+              Contains(HasSubstr("the readings of the calibration have no scatter")));
 }
 
 }  // namespace

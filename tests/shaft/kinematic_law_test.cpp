@@ -286,7 +286,7 @@ TEST(FitKinematicLaw, RefusesWhatItCannotFit) {
   };
   EXPECT_THAT(with(-100 * rpm, um, unset), HasSubstr("must be finite and not negative"));
   EXPECT_THAT(with(100 * rpm, std::nan(""), unset), HasSubstr("displacement"));
-  EXPECT_THAT(with(100 * rpm, um, 0.0), HasSubstr("std = 0 um: must be positive"));
+  EXPECT_THAT(with(100 * rpm, um, 0.0), HasSubstr("std = 0 um: must be above 0 and finite"));
   EXPECT_THAT(refusal(curve, {.lower_B = 0.5, .upper_B = 0.4}), HasSubstr("bounds of B"));
   EXPECT_THAT(refusal(curve, {.upper_B = 1.2}), HasSubstr("bounds of B"));
   EXPECT_THAT(refusal(curve, {.lower_C = -1.0}), HasSubstr("bounds of C"));
