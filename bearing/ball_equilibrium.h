@@ -7,8 +7,9 @@
 #include "bearing/kinematics.h"
 #include "bearing/lanes.h"
 
-// The templates compute one ball, or the same ball at several operating points in parallel; lanes.h
-// describes their number types. Names without the suffix `Of` are for one ball in double precision.
+// The templates compute one ball, or the same ball at several operating points in parallel. lanes.h
+// describes the number types of these templates. Names without the suffix `Of` are for one ball in
+// double precision.
 namespace raceway::bearing {
 
 /// Vector (axial, radial) in the plane through the bearing axis and the centre of one ball.
@@ -23,8 +24,8 @@ using Plane = PlaneOf<double>;
 /// Constants of all balls of a bearing at one speed.
 template <typename T>
 struct BallConstantsOf {
-  T inner_radius;      ///< (f_i - 0.5) D: groove centre to ball centre without load [m]
-  T outer_radius;      ///< (f_o - 0.5) D: groove centre to ball centre without load [m]
+  T inner_radius;      ///< (f_i - 0.5) D: inner groove centre to ball centre, unloaded [m]
+  T outer_radius;      ///< (f_o - 0.5) D: outer groove centre to ball centre, unloaded [m]
   T inner_stiffness;   ///< K_i, HertzContact::contact_stiffness at the inner race [N/m^1.5]
   T outer_stiffness;   ///< K_o, HertzContact::contact_stiffness at the outer race [N/m^1.5]
   T diameter_ratio;    ///< g = D/d_m [1]
@@ -36,10 +37,10 @@ struct BallConstants : BallConstantsOf<double> {
   RaceControl race_control;
 };
 
-/// Source of a ball's rotation: race control, or values given by the caller.
+/// Law for the rotation of a ball: race control, or values given by the caller.
 enum class Rotation { outer_control, inner_control, given };
 
-/// Centrifugal force of a ball that orbits at the shaft speed ω, C = m_ball d_m ω²/2 [N].
+/// Centrifugal force of a ball that would orbit at the shaft speed ω, C = m_ball d_m ω²/2 [N].
 [[nodiscard]] double full_centrifugal(const Bearing& bearing, double speed);
 [[nodiscard]] BallConstants ball_constants(const Bearing& bearing, double speed,
                                            RaceControl race_control, bool gyroscopic_moment);
@@ -50,32 +51,38 @@ struct BallForcesOf {
   T inner_load, outer_load;          ///< Qi, Qo: normal forces at the races [N]
   T inner_friction, outer_friction;  ///< Ti, To: friction forces at the races [N]
   T centrifugal;                     ///< Fc [N]
-  T inner_approach, outer_approach;  ///< δi, δo: elastic approaches [m]; negative for a gap
+  T inner_approach, outer_approach;  ///< δi, δo: elastic approaches [m]; negative: gap
 };
 
-/// Imbalance of one ball and its forces on the inner ring, with all first derivatives.
+/// Imbalance of one ball (sum of all forces on the ball), its forces on the inner ring, and all
+/// first derivatives.
 ///
 /// The coordinates are (axial, radial) with the outer groove centre at the origin. X is the ball
 /// centre, A the inner groove centre, V = A - X. n and t are the normal and the tangent of a
-/// contact. f_i, f_o, D, d_m and R_i are as in BearingGeometry, and K as in BallConstantsOf:
+/// contact, and the indices i and o are inner and outer race. f_i, f_o, D, d_m and R_i are
+/// explained in BearingGeometry, K in BallConstantsOf, and the forces Q, T, Fc and the approach δ
+/// in BallForcesOf:
 ///
 ///   n = (sin α, cos α),  t = (cos α, -sin α),   sin αo = X1/|X|,  sin αi = V1/|V|
 ///   Q = K δ^1.5,  δo = |X| - (f_o - 0.5) D,  δi = |V| - (f_i - 0.5) D
-///   imbalance   r = Qi ni + Ti ti + (0, Fc) - Qo no - To to = 0
-///   carried ring load   f = Qi ni + Ti ti
+///   imbalance           r = Qi ni + Ti ti + (0, Fc) - Qo no - To to = 0
+///   force on the ring   f = Qi ni + Ti ti
 ///   moment / R_i        f_m = f_axial - (f_i D / R_i) Ti   (Ti acts at the groove surface)
 ///
-/// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. ω_m, ω_R and β are as in BallSpeeds, ω is the
-/// shaft speed, and J is the moment of inertia of a ball. The gyroscopic couple M_g = J ω_m ω_R
-/// sin β is balanced by the friction forces T = λ M_g/D. Under outer control the friction acts only
+/// Fc = C m² with m = ω_m/ω, C = m_ball d_m ω²/2. ω is the shaft speed, and J is the moment of
+/// inertia of a ball. ω_m, ω_R and β are explained in BallSpeeds. The friction forces T = λ M_g/D
+/// balance the gyroscopic couple M_g = J ω_m ω_R sin β. Under outer control, the friction acts only
 /// at the outer race (λo = 2): To = 0.4 Fc sin αo and Ti = 0.
 ///
-/// Under inner control the friction is equal at both races (λi = λo = 1): Ti = To = 0.2 C m (1 - m)
-/// sin αi. (The product ω_R sin β is a rational function of sines and cosines of the contact
-/// angles.) A positive M_g reduces αo; equations (14) and (18) of [CaseStudy], taken together, give
-/// the opposite sign. A ball without inner contact (δi <= 0) is under outer control and exerts no
-/// force on the inner ring. Under inner control the forces jump when the contact is lost, so some
-/// loads have no equilibrium. For a given rotation, m, Ti and To follow from GivenRotation.
+/// Under inner control, the friction is equal at both races (λi = λo = 1):
+///
+///   Ti = To = 0.2 C m (1 - m) sin αi
+///
+/// A positive M_g reduces αo. Equations (14) and (18) of [CaseStudy] have another sign: there, a
+/// positive M_g increases αo. A ball without inner contact (δi <= 0) is under outer control and
+/// exerts no force on the inner ring. Under inner control, the forces jump when the contact is
+/// lost, so some loads have no equilibrium. For a given rotation, m, Ti and To follow from
+/// GivenRotation.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -89,13 +96,14 @@ struct BallBalanceOf : BallForcesOf<T> {
 };
 using BallBalance = BallBalanceOf<double>;
 
-/// Contact of a ball with the inner race. With `automatic`, the ball touches the race if δi > 0.
-/// `kept` and `lost` fix the state of the contact while a solver searches. A `kept` contact may be
-/// in tension: Q = K δ |δ|^0.5, smooth through zero. A solution is valid only if no `kept` contact
-/// is in tension and no ball with a `lost` contact penetrates the race.
+/// Contact of a ball with the inner race. With `automatic`, the ball touches the race if the
+/// approach δi is positive. During a search, a solver can fix the contact: a ball with a `kept`
+/// contact always touches, and a ball with a `lost` contact never touches. A `kept` contact may be
+/// in tension, with the load Q = K δ |δ|^0.5 (K: contact stiffness). A solution is valid only if no
+/// `kept` contact is in tension and no ball with a `lost` contact penetrates the race.
 enum class InnerContact : signed char { automatic, kept, lost };
 
-/// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
+/// Sines (s) and cosines (c) of the contact angles αi and αo, and inv = 1/(1 + cos(αi - αo)).
 template <typename T>
 struct ContactAngles {
   T si, ci, so, co;
@@ -103,8 +111,9 @@ struct ContactAngles {
   T inv;
 };
 
-/// Results of a rotation law: orbital speed ratio m = ω_m/ω, forces Fc, Ti and To, and their
-/// derivatives with respect to the contact angles (_i, _o: per radian of αi, αo).
+/// Results of a rotation law: the ratio m = ω_m/ω of orbital speed to shaft speed, the forces Fc,
+/// Ti and To of BallForcesOf, and their derivatives. The suffixes _i and _o denote derivatives with
+/// respect to the contact angles αi and αo [1/rad].
 template <typename T>
 struct RaceLaw {
   T m, m_i, m_o;
@@ -182,8 +191,8 @@ template <typename T>
   return law;
 }
 
-/// Derivatives of the friction forces of a given rotation with respect to the inner contact load
-/// [N/N].
+/// Derivatives of the friction forces Ti (`inner`) and To (`outer`) with respect to the load at the
+/// inner contact [N/N], for a given rotation.
 struct FrictionGain {
   double inner, outer;
 };
@@ -217,8 +226,8 @@ template <Rotation rotation, typename T>
   }
 }
 
-/// Imbalance and forces of a ball whose rotation follows the law `rotation`. Only Rotation::given
-/// needs the argument `given`.
+/// Returns the imbalance and the forces of a ball whose rotation follows the law `rotation`. The
+/// argument `given` is used only for Rotation::given.
 template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline BallBalanceOf<T> ball_balance_under(
     const BallConstantsOf<T>& c, const PlaneOf<T>& groove_centre, const PlaneOf<T>& ball_centre,
@@ -232,9 +241,9 @@ template <Rotation rotation, typename T>
   const T delta_o = outer_length - c.outer_radius;
   const T delta_i = inner_length - c.inner_radius;
   const T product = outer_length * inner_length, straight = x1 * v1 + x2 * v2;
-  // For a ball without inner contact the inner groove centre may lie behind the ball, where no
-  // contact is possible. cos(αi - αo) is then set to -1/2, because 1/(1 + cos(αi - αo)) has a pole
-  // at -1.
+  // For a ball without inner contact, the inner groove centre may lie behind the ball, where no
+  // contact is possible. cos(αi - αo) is then set to -1/2, because 1/(1 + cos(αi - αo)) is infinite
+  // for cos(αi - αo) = -1.
   const Mask<T> behind = straight < -0.5 * product;
   const Mask<T> touches = contact == InnerContact::automatic
                               ? delta_i > T(0.0) && !behind
@@ -282,8 +291,9 @@ template <Rotation rotation, typename T>
   b.outer_approach = delta_o;
   b.inner_approach = delta_i;
 
-  // With dV = dA - dX: dδi = n_i·dV, dαi = t_i·dV/|V|; likewise with dX at the outer contact. f_ai,
-  // r_ai: derivatives of f and r with respect to αi; f_ao, r_ao: with respect to αo.
+  // With dV = dA - dX: dδi = n_i·dV, dαi = t_i·dV/|V|. The same formulas apply to the outer contact
+  // with dX. f_ai and r_ai are derivatives of f and r with respect to αi. r_ao is the derivative of
+  // r with respect to αo.
   T f_ai_1 = qi * ci, f_ai_2 = -qi * si;
   T r_ao_1 = to * so - (qo + to_o) * co, r_ao_2 = fc_o + (qo + to_o) * so + to * co;
   if constexpr (inner_couple) {
@@ -320,7 +330,7 @@ template <Rotation rotation, typename T>
     r_n_1 = f1 - go * co;
     r_n_2 = f2 + go * so;
   }
-  // The position of the ball acts on the ring only through V and through Ti, which depends on αo.
+  // The ring forces depend on the ball position through V and through Ti, which depends on αo.
   for (int j = 0; j < 6; ++j) b.f_x[j] = -b.f_a[j];
   if constexpr (inner_couple) {
     b.f_x[0] += ti_o * ci * tox1;
@@ -364,21 +374,23 @@ template <Rotation rotation, typename T>
 }
 
 /// Ball at rest. The two contacts of the ball are springs in series on the line between the groove
-/// centres, (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3), so the ball position is not an unknown.
+/// centres: (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3). The ball position is therefore not an
+/// unknown.
 template <typename T>
 struct StaticBallOf {
   PlaneOf<T> ball_centre;  ///< X [m]
   PlaneOf<T> force;        ///< f [N]
-  T f_a[4];                ///< df/dA, A: inner groove centre, row-major [N/m]
-  T load;                  ///< Q [N], equal at both contacts
+  /// Derivatives df/dA of the force f with respect to the inner groove centre A, row-major [N/m].
+  T f_a[4];
+  T load;  ///< Q [N], equal at both contacts
 };
 using StaticBall = StaticBallOf<double>;
 
-/// Contact springs of a ball at rest, in series.
+/// Spring that replaces both contacts of a ball at rest, which act as springs in series.
 template <typename T>
 struct SpringPairOf {
   T stiffness;    ///< K [N/m^1.5]
-  T outer_share;  ///< share of the approach at the outer race [1]
+  T outer_share;  ///< approach at the outer race divided by the sum of both approaches [1]
 };
 
 [[nodiscard]] SpringPairOf<double> spring_pair(const BallConstants& constants);
@@ -395,7 +407,7 @@ template <typename T>
   const T co = select(apart, a.radial * inv, T(1.0));
   const T free_length = c.inner_radius + c.outer_radius;
   const T delta = length - free_length;
-  // Without contact the position of the ball is arbitrary. This line keeps the ball between the
+  // Without contact, the position of the ball is arbitrary. Here, the ball is placed between the
   // grooves.
   const T outer_length = select(delta > T(0.0), c.outer_radius + delta * pair.outer_share,
                                 length * c.outer_radius / free_length);

@@ -8,7 +8,7 @@
 
 namespace raceway::bearing {
 
-/// Reported results of a ball in equilibrium; see BallEquilibrium.
+/// Results of a ball in equilibrium. The members are explained in BallEquilibrium.
 template <typename T>
 struct BallReport {
   T inner_contact_angle, outer_contact_angle;
@@ -17,8 +17,8 @@ struct BallReport {
   T centrifugal_force, gyroscopic_moment;
 };
 
-/// Returns the report of a ball in equilibrium with inner groove centre `a` and ball centre `x`. At
-/// rest, `x` is not used.
+/// Returns the results of a ball in equilibrium. `a` is the inner groove centre, and `x` is the
+/// ball centre. If `at_rest` is true, `x` is not used.
 template <bool at_rest, typename T>
 [[nodiscard, gnu::always_inline]] inline BallReport<T> ball_report(const BallForcesOf<T>& f,
                                                                    const PlaneOf<T>& a,

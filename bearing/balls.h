@@ -10,22 +10,25 @@
 
 namespace raceway::bearing {
 
-/// Symmetry of the balls under a load. The symmetry determines the ring coordinates that the solver
-/// needs.
+/// Symmetry of the ball loads. The symmetry determines the unknowns of the solver: ball positions
+/// and ring coordinates (x, y, z, and the tilts θy, θz).
 enum class Symmetry {
-  thrust,  ///< all balls carry equal loads; unknowns: one ball and x of the ring
-  mirror,  ///< load in the x-y plane, ball k equals ball Z - k; unknowns: half of the balls, x, y
-           ///< (and θz if the tilt is free)
-  none     ///< unknowns: all balls, x, y, z (and θy, θz if the tilt is free)
+  /// Pure axial load, so that all balls have equal loads. Unknowns: x and the position of one ball.
+  thrust,
+  /// Load in the x-y plane, so that ball k and ball Z - k have equal loads. Z is the number of
+  /// balls. Unknowns: the positions of balls 0 to Z/2, x, y, and θz if the tilt is free.
+  mirror,
+  /// No symmetry. Unknowns: the positions of all balls, x, y, z, and θy and θz if the tilt is free.
+  none
 };
 
-/// Number of distinct balls in a bearing with `count` balls. Distinct balls are the balls whose
-/// loads can differ under this symmetry. They are the first balls of the circle.
+/// Number of distinct balls in a bearing with `count` balls. Of the balls that have equal loads by
+/// symmetry, only the ball with the lowest index is distinct.
 [[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
   return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
 }
 
-/// Number of balls that distinct ball k represents [1].
+/// Number of balls with the same load as distinct ball k, including ball k [1].
 [[nodiscard, gnu::always_inline]] constexpr double weight_of_ball(Symmetry symmetry, int count,
                                                                   int k) {
   if (symmetry == Symmetry::none) return 1.0;
@@ -36,11 +39,11 @@ enum class Symmetry {
 /// Azimuth ψ of ball k, from +y towards +z [rad].
 [[nodiscard]] constexpr double azimuth_of_ball(int k, int count) { return 2.0 * pi * k / count; }
 
-/// One ball in equilibrium.
+/// Angles, loads and forces of one ball in equilibrium.
 struct BallEquilibrium {
   double azimuth = unset;              ///< ψ from +y towards +z [rad]
   double inner_contact_angle = unset;  ///< αi [rad]; NaN without contact at the inner race
-  double outer_contact_angle = unset;  ///< αo [rad]; NaN if the ball is loose (only at rest)
+  double outer_contact_angle = unset;  ///< αo [rad]; NaN for a ball at rest without contact
   double inner_load = unset;           ///< Qi, load at the inner race [N]
   double outer_load = unset;           ///< Qo, load at the outer race [N]
   double inner_friction = unset;       ///< Ti, friction force at the inner race [N]
@@ -49,14 +52,14 @@ struct BallEquilibrium {
   double gyroscopic_moment = unset;    ///< M_g, balanced by Ti and To [N m]
 };
 
-/// All balls of a bearing in equilibrium, ball k at azimuth 2 π k/Z. Balls that are equal by
-/// symmetry are stored once. For a sum over all balls, use `distinct()` and `weight()`.
+/// All Z balls of a bearing in equilibrium, with ball k at azimuth 2 π k/Z. Balls with equal loads
+/// by symmetry are stored once. For a sum over all balls, use `distinct()` and `weight()`.
 class Balls {
  public:
   Balls() = default;
 
-  /// Allocates memory for the distinct balls of a bearing with `count` balls. The solver fills
-  /// these balls.
+  /// Sets the number of balls and the symmetry. Returns the elements of distinct(), into which the
+  /// solver writes its results.
   std::span<BallEquilibrium> reset(int count, Symmetry symmetry) {
     count_ = count;
     symmetry_ = symmetry;
@@ -67,7 +70,7 @@ class Balls {
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(count_); }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// Index in distinct() of the ball equivalent to ball k.
+  /// Index of the ball in distinct() that has the same load as ball k.
   [[nodiscard]] std::size_t twin(std::size_t k) const {
     return symmetry_ == Symmetry::thrust                     ? 0
            : symmetry_ == Symmetry::mirror && 2 * k > size() ? size() - k
@@ -83,9 +86,9 @@ class Balls {
     return (*this)[k];
   }
 
-  /// First ball of each group of equivalent balls, in the order of azimuth.
+  /// First ball of each group of balls with equal loads, in the order of azimuth.
   [[nodiscard]] std::span<const BallEquilibrium> distinct() const { return distinct_; }
-  /// Number of balls that distinct ball i represents [1].
+  /// Number of balls with the same load as distinct ball i, including ball i [1].
   [[nodiscard]] double weight(std::size_t i) const {
     return weight_of_ball(symmetry_, count_, static_cast<int>(i));
   }

@@ -9,17 +9,17 @@
 namespace raceway::bearing {
 
 /// Immutable ball bearing for the solvers: checked geometry, materials and derived constants. The
-/// constructor computes two Hertz contacts, so reuse the object for many operating points.
+/// constructor computes the Hertz contacts, so use the same object for many operating points.
 class Bearing {
  public:
-  /// Throws std::invalid_argument as validated(geometry) and validate(material) do.
+  /// Throws std::invalid_argument in the same cases as validated(geometry) and validate(material).
   Bearing(const BearingGeometry& geometry, const Material& balls, const Material& rings);
 
   [[nodiscard]] const BearingGeometry& geometry() const { return geometry_; }
   [[nodiscard]] const Material& balls() const { return balls_; }
   [[nodiscard]] const Material& rings() const { return rings_; }
-  /// Contact of ball and race, with the curvature at the nominal contact angle (the running contact
-  /// angle changes the stiffness by less than 0.2 %).
+  /// Contact of ball and race, with the curvature at the nominal contact angle. At the contact
+  /// angle in operation, the stiffness differs by less than 0.2 %.
   [[nodiscard]] const HertzContact& contact(Race race) const {
     return race == Race::inner ? inner_ : outer_;
   }

@@ -13,8 +13,8 @@ struct ContactPressure {
 [[nodiscard]] ContactPressure largest_pressure(const Bearing& bearing,
                                                const BearingEquilibrium& equilibrium);
 
-/// Hertz pressure of the static rating of ball bearings, which leaves a permanent dent of 1/10 000
-/// of the ball diameter [Pa].
+/// Hertz pressure that defines the static rating of ball bearings [Pa]. This pressure leaves a
+/// permanent dent of 1/10 000 of the ball diameter.
 /// Source: [ISO76].
 inline constexpr double static_limit_pressure = 4200e6;
 

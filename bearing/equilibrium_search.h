@@ -4,30 +4,32 @@
 
 namespace raceway::bearing {
 
-/// True if statics excludes an equilibrium: no load acts on the free coordinates, or an axial load
-/// pulls the ring of an angular-contact bearing off its shoulder. The balls of such a bearing push
-/// the ring in one direction only, so their axial forces cannot balance this load.
+/// True if statics proves that no equilibrium exists. There are two cases: no load acts in a
+/// direction in which the ring can move, or an axial load pulls the ring of an angular-contact
+/// bearing off its shoulder. The balls of such a bearing push the ring in one direction only, so
+/// their axial forces cannot balance this load.
 [[nodiscard]] bool cannot_balance(const RingSystem& system, const OperatingPoint& point);
 
-/// Finds an equilibrium at the system's operating point by Newton's method. If `neighbour` has a
-/// solution, the search starts from this solution. If that fails, the search tries in this order:
+/// Finds an equilibrium at `point`, the operating point of the system, by Newton's method. If
+/// `neighbour` has a solution, the search starts from this solution. If this start fails, the
+/// search tries these methods in this order:
 ///   1. the closed-form thrust solution as start,
-///   2. under inner control, the inner contacts that statics allows (lost_contacts.h),
-///   3. following the solution from pure thrust to the full radial load and moment,
-///   4. following the solution from standstill to full speed, under the full load,
-///   5. if the axial load is below a tenth of the radial load, following the solution from zero to
-///      the full axial load,
-///   6. under inner control, states in which the least loaded balls have lost the inner race, then
-///      sets of contacts that differ from a set of step 2 by one ball, with more Newton steps,
-///   7. under inner control, the contacts that occur on a grid of ring positions (contact_scan.h).
+///   2. under inner control, guesses which balls touch the inner race, beginning with a guess from
+///      statics (lost_contacts.h),
+///   3. increasing radial load and moment in steps, from pure thrust to the full load,
+///   4. increasing the speed in steps, from standstill to full speed, under the full load,
+///   5. if the axial load is below a tenth of the radial load, increasing the axial load in steps,
+///      from zero to the full axial load,
+///   6. under inner control, guesses in which the least loaded balls do not touch the inner race,
+///      then guesses that differ from a guess of step 2 by one ball, with more Newton steps,
+///   7. under inner control, guesses that are found on a grid of ring positions (contact_scan.h).
 ///
-/// Without axial load, the search uses only step 4. Under outer control the forces are continuous
-/// in the displacement, and steps 1, 3, 4 and 5 find every equilibrium that is known to exist.
-/// Under inner control the gyroscopic couple vanishes with the contact, so an equilibrium may exist
-/// only for one combination of lost contacts. Steps 2 and 6 try the likely combinations of lost
-/// contacts, and step 7 tries the combinations that occur on a grid of ring positions. Under inner
-/// control, the search misses a known equilibrium at about 0.02 % of random operating points
-/// (docs/solver.md).
+/// Without axial load, the search uses only step 4. Under outer control, the forces are continuous
+/// in the displacement. Under outer control, steps 1, 3, 4 and 5 have therefore found every
+/// equilibrium that is known to exist. Under inner control, the gyroscopic couple of a ball becomes
+/// zero when the ball loses the inner contact, so an equilibrium may exist only for one combination
+/// of lost contacts. At about 0.02 % of random operating points under inner control, the search
+/// does not find a known equilibrium (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

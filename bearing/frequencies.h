@@ -8,25 +8,27 @@
 
 namespace raceway::bearing {
 
-/// Damage frequencies of a bearing per shaft revolution [1]. Multiply by the shaft's revolutions
-/// per second for Hz. ω is the shaft speed, ω_m the orbital speed of the Z balls or rollers, and
-/// ω_R the speed of a ball or roller about its own axis.
+/// Damage frequencies of a bearing per shaft revolution [1]. Multiply by the revolutions of the
+/// shaft per second to get Hz. ω is the shaft speed, ω_m the orbital speed of the Z balls or
+/// rollers, and ω_R the speed of a ball or roller about its own axis.
 struct BearingFrequencies {
-  double cage = unset;        ///< FTF, fundamental train frequency with a fixed outer ring: ω_m/ω
-  double outer_race = unset;  ///< BPFO, balls that pass a point of the outer race: Z ω_m/ω
-  double inner_race = unset;  ///< BPFI, balls that pass a point of the inner race: Z (1 - ω_m/ω)
-  double ball_spin = unset;   ///< BSF, revolutions of a ball about its axis, seen from the cage:
-                              ///< ω_R/ω; a defect of the ball strikes at twice this frequency
+  double cage = unset;        ///< FTF, cage frequency with a stationary outer ring: ω_m/ω
+  double outer_race = unset;  ///< BPFO, ball passes at a point of the outer race: Z ω_m/ω
+  double inner_race = unset;  ///< BPFI, ball passes at a point of the inner race: Z (1 - ω_m/ω)
+  /// BSF, revolutions of a ball about its own axis, seen from the cage: ω_R/ω. A defect of the ball
+  /// strikes the races at twice this frequency.
+  double ball_spin = unset;
   [[nodiscard]] bool operator==(const BearingFrequencies&) const = default;
 };
 
-/// Damage frequencies for one contact angle at both races, as printed in catalogues.
+/// Damage frequencies for the same contact angle α at both races, as in catalogues.
 ///
 ///   FTF = (1 - g cos α)/2,   BSF = (1 - g² cos² α)/(2 g),   g = D/d_m
 ///
-/// Source: rolling without slip; the limit of ball_speeds() at αi = αo. BSF is the rolling
-///         component ω_R cos(α - β) of the ball speed, divided by ω (tested). running_frequencies()
-///         uses the whole ω_R. Domain: g cos α < 1.
+/// Source: rolling without slip. ball_speeds() gives the same FTF at αi = αo. The BSF of this
+///         function is the rolling component ω_R cos(α - β) of the ball speed ω_R, divided by ω. β
+///         is the pitch angle of the ball axis. running_frequencies() uses ω_R/ω instead.
+/// Domain: g cos α < 1.
 [[nodiscard]] inline BearingFrequencies nominal_frequencies(int count, double diameter_ratio,
                                                             double contact_angle) {
   const double ratio = diameter_ratio, x = ratio * std::cos(contact_angle);
@@ -47,12 +49,12 @@ struct BearingFrequencies {
   return nominal_frequencies(g.roller_count, g.diameter_ratio(), 0.0);
 }
 
-/// Damage frequencies from the running contact angles of the balls. The results are means over the
-/// loaded balls, because the orbital speeds differ under radial load and the cage averages these
-/// speeds.
+/// Damage frequencies from the contact angles of the balls in operation. The results are means over
+/// the balls with a load at the outer race: under radial load, the orbital speeds of the balls
+/// differ, and the cage averages these speeds.
 ///
-/// Domain: converged equilibrium with a loaded ball; otherwise the results are NaN. At standstill,
-///         the result is the limit for slow rotation.
+/// Domain: converged equilibrium with at least one loaded ball; otherwise the results are NaN. For
+///         an equilibrium at standstill, the results are the limit for slow rotation.
 [[nodiscard]] inline BearingFrequencies running_frequencies(const Bearing& bearing,
                                                             const BearingEquilibrium& equilibrium,
                                                             RaceControl control) {

@@ -4,13 +4,12 @@
 
 namespace raceway::bearing {
 
-/// Race that controls the ball: the ball rolls without spin at that race.
+/// Race that controls the ball. The ball rolls without spin at this race.
 enum class RaceControl { outer, inner };
 
 /// Returns the ratio m = ω_m/ω of the orbital speed of a ball (cage speed) to the speed ω of the
-/// inner ring [1]. The outer ring is stationary. The formulas are rational functions of the sines
-/// and cosines of the contact angles αi (inner race) and αo (outer race), so solvers need no
-/// trigonometric functions.
+/// inner ring [1]. The outer ring is stationary. αi and αo are the contact angles at the inner and
+/// the outer race, D is the ball diameter and d_m the pitch diameter.
 ///
 ///   outer control   m = (1 - g cos αi) / (1 + cos(αi - αo))
 ///   inner control   m = (cos(αi - αo) - g cos αo) / (1 + cos(αi - αo)),        g = D/d_m
@@ -24,51 +23,54 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
   return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
 }
 
-/// Rotation of a ball from its friction equilibrium instead of race control: the orbital speed, and
-/// the friction forces in the plane through the bearing axis and the ball centre.
+/// Rotation of a ball from an equilibrium of the friction forces, used instead of race control.
+/// This rotation determines the orbital speed ratio m = ω_m/ω and the friction forces Ti and To in
+/// the plane through the bearing axis and the ball centre.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
 ///   Ti, To = s times the given friction forces,   s = x (2 - x),   x = min(Qi/inner_load, 1)
 ///
-/// p/(p + q) is the ratio m of a ball that rolls without slip at both contacts, about an axis at
-/// the pitch angle β to the bearing axis. The creep m_c is added to this ratio. β, m_c and the
-/// given friction forces stay constant while the contact angles change. The friction forces become
-/// zero when the inner contact is lost. The default values describe a ball without inner contact
-/// under outer control, where αo = 0.
+/// p/(p + q) is the ratio m of a ball that rolls without slip at both contacts. The axis of the
+/// ball has the pitch angle β to the bearing axis. β, the creep m_c and the given friction forces
+/// stay constant while the contact angles change. The friction forces become zero when the inner
+/// contact is lost. The default values are valid for a ball that touches only the outer race, under
+/// outer control (αo = 0).
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;  ///< cosine and sine of β
   double creep = 0.0;                       ///< m_c, added to the ratio m [1]
-  /// Friction forces Ti, To at the load `inner_load`, with the signs of BallBalance [N].
+  /// Friction forces Ti and To at the inner contact load `inner_load` [N]. BallBalanceOf explains
+  /// their sign.
   double inner_friction = 0.0, outer_friction = 0.0;
   /// Inner contact load Qi for which the friction forces are given [N], > 0.
   double inner_load = 1.0;
   [[nodiscard]] bool operator==(const GivenRotation&) const = default;
 };
 
-/// Speeds of one ball [rad/s] and the attitude of its axis [rad].
+/// Speeds of one ball [rad/s] and the pitch angle of its axis [rad].
 struct BallSpeeds {
-  double cage_speed;        ///< orbital speed ω_m about the bearing axis
-  double ball_speed;        ///< ω_R about the ball's own axis, seen from the cage
-  double pitch_angle;       ///< β between the ball's axis and the bearing axis
-  double inner_spin_speed;  ///< relative rotation about the normal of the inner contact; 0 under
-                            ///< inner control
-  double outer_spin_speed;  ///< relative rotation about the normal of the outer contact; 0 under
-                            ///< outer control
+  double cage_speed;   ///< orbital speed ω_m about the bearing axis
+  double ball_speed;   ///< ω_R about the ball's own axis, seen from the cage
+  double pitch_angle;  ///< β between the ball's axis and the bearing axis
+  /// Speed of the ball relative to the inner race about the contact normal; 0 under inner control.
+  double inner_spin_speed;
+  /// Speed of the ball relative to the outer race about the contact normal; 0 under outer control.
+  double outer_spin_speed;
 };
 
-/// Speeds of a ball. Under race control:
+/// Speeds of a ball. The struct stores two components of the ball speed ω_R. speeds() computes ω_R
+/// and its pitch angle β from these components. The formulas for outer and inner control are
 ///
-///   tan β = sin αo/(cos αo + g) (outer),  sin αi/(cos αi - g) (inner)
-///   ω_R from rolling without slip at both contacts, which reduces to
-///     outer   ω_R cos β = ω_m (cos αo + g)/g,         ω_R sin β = ω_m sin αo/g
-///     inner   ω_R cos β = (ω - ω_m)(cos αi - g)/g,    ω_R sin β = (ω - ω_m) sin αi/g
-///   ω_si = ω_R sin(αi - β) + (ω - ω_m) sin αi,   ω_so = -ω_R sin(αo - β) + ω_m sin αo (magnitudes)
+///   outer   tan β = sin αo/(cos αo + g)
+///           ω_R cos β = ω_m (cos αo + g)/g,         ω_R sin β = ω_m sin αo/g
+///   inner   tan β = sin αi/(cos αi - g)
+///           ω_R cos β = (ω - ω_m)(cos αi - g)/g,    ω_R sin β = (ω - ω_m) sin αi/g
+///   both    ω_si = ω_R sin(αi - β) + (ω - ω_m) sin αi,   ω_so = -ω_R sin(αo - β) + ω_m sin αo
 ///
-/// Source: [Harris2006, vol. 2, ch. 5]; inserting tan β in the formula of Harris for ω_R gives the
-///         reduced forms. They agree with that formula to rounding (tested).
-///
-/// BallRotation stores ω_R as two components instead of the pitch angle β, because β needs an arc
-/// tangent. speeds() computes β.
+/// ω_si and ω_so are the spin speeds at inner and outer contact; the struct stores their
+/// magnitudes. cage_speed_ratio() and BallSpeeds explain the other symbols.
+/// Source: [Harris2006, vol. 2, ch. 5], for a ball that rolls without slip at both contacts. The
+///         formulas for ω_R cos β and ω_R sin β follow from the formulas of Harris for ω_R and tan
+///         β.
 struct BallRotation {
   double cage_speed;     ///< ω_m [rad/s]
   double along, across;  ///< components of ω_R along and across the bearing axis [rad/s]
@@ -105,8 +107,8 @@ struct BallRotation {
       .speeds();
 }
 
-/// Cage speed ratio p/(p + q) of a ball that rolls without slip at both contacts about an axis at
-/// pitch β; see GivenRotation.
+/// Cage speed ratio p/(p + q) of a ball that rolls without slip at both contacts, about an axis
+/// with the pitch angle β. See GivenRotation for p and q.
 [[nodiscard]] inline double rolling_cage_ratio(double cos_pitch, double sin_pitch,
                                                double inner_contact_angle,
                                                double outer_contact_angle, double diameter_ratio) {
@@ -117,8 +119,8 @@ struct BallRotation {
   return p / (p + q);
 }
 
-/// Rotation of a ball from a friction equilibrium. The ball speed is the speed for rolling without
-/// slip, and the cage speed includes the creep.
+/// Returns the speeds of a ball with the rotation `given`. The ball speed ω_R is the speed for
+/// rolling without slip. The cage speed ω_m includes the creep m_c.
 [[nodiscard]] inline BallRotation ball_rotation(const GivenRotation& given,
                                                 double inner_contact_angle,
                                                 double outer_contact_angle, double diameter_ratio,

@@ -4,8 +4,9 @@
 
 namespace raceway::bearing {
 
-/// Solves a x = b by elimination with partial pivoting. The result x replaces b, and a is
-/// overwritten. If a is singular, x is not finite or, after rounding errors, is huge.
+/// Solves the linear equations a x = b by Gaussian elimination with partial pivoting. The result x
+/// replaces b, and a is overwritten. If a is singular, x is not finite or, because of rounding
+/// errors, very large.
 template <int n, typename T>
 [[gnu::always_inline]] inline void solve_linear(T (&a)[n][n], T (&b)[n]) {
   using std::abs;

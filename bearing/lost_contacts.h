@@ -7,37 +7,41 @@
 
 namespace raceway::bearing {
 
-/// Searches for an equilibrium under inner control with each inner contact fixed as kept or lost.
-/// When a ball loses the contact, its gyroscopic couple becomes zero and the ball moves further
-/// from the race. Over a range of groove positions, both `kept` and `lost` are therefore possible.
-/// The search tries sets of kept balls. A solution is valid if no kept ball is in tension and no
-/// lost ball penetrates the race.
+/// Searches for an equilibrium under inner control. In each trial, every ball is either kept (in
+/// contact with the inner race) or lost (without this contact), see InnerContact. When a ball loses
+/// the contact, its gyroscopic couple becomes zero, and the ball moves further away from the race.
+/// Over a range of groove positions, a ball therefore has an equilibrium with inner contact and
+/// another equilibrium without inner contact. The search tries several sets of kept balls. A
+/// solution is valid if no kept ball is in tension and no lost ball penetrates the race.
 class ContactSearch {
  public:
   explicit ContactSearch(RingSystem& system) : system_(system) {}
 
-  /// Searches from the kept balls that statics chooses (load_shares.h). In each round, the kept
-  /// ball most in tension or the lost ball that penetrates the race most changes its contact, until
-  /// no such ball exists. If these rounds end without a valid equilibrium, for example because a
-  /// set recurs, the search tries similar sets, beginning with the sets that fit statics best. Then
-  /// the search tries sets that differ by one ball from the sets that were solved but not valid.
-  /// Returns true if a valid equilibrium is found, with `state` as the solution.
+  /// Starts with the kept balls that LoadShares::choose() returns. Each round solves the
+  /// equilibrium and then changes the contact of one ball: the kept ball with the largest tension
+  /// or, if no kept ball is in tension, the lost ball that penetrates the race most. The rounds end
+  /// when the solution is valid. If the rounds find no valid equilibrium, the search tries similar
+  /// sets of kept balls, those with the smallest LoadShares::violation() first. Then the search
+  /// tries sets that differ by one ball from sets whose equilibrium was found but is not valid.
+  /// Returns true if a valid equilibrium is found, and writes this equilibrium to `state`.
   [[nodiscard]] bool settle(RingState& state);
-  /// Repeats the last stage of settle(), the sets changed by one ball, with more Newton steps for
-  /// each set.
+  /// Continues the last stage of settle() with more Newton steps for each set. This stage tries
+  /// sets that differ by one ball from sets whose equilibrium was found but is not valid.
   [[nodiscard]] bool widen(RingState& state);
-  /// Last resort: starts from the sets that a scan over ring positions finds (contact_scan.h), then
-  /// from sets that differ from one of these sets by one ball.
+  /// Starts from the sets of kept balls that a scan over ring positions finds (contact_scan.h).
+  /// Then tries sets that differ from one of these sets by one ball. Use this function if all other
+  /// methods fail.
   [[nodiscard]] bool scan(RingState& state);
 
  private:
   using Contacts = std::vector<InnerContact>;
 
-  /// A set of contacts that was solved, but is not valid for at least one ball.
+  /// A set of contacts whose equilibrium was found, but is not valid for at least one ball.
   struct OpenSet {
     Contacts contacts;
     RingState state;
-    bool pulls;  ///< true if a kept ball is in tension; else a lost ball penetrates the race
+    /// True if a kept ball is in tension. Otherwise a lost ball penetrates the race.
+    bool pulls;
   };
 
   [[nodiscard]] double direction() const;

@@ -15,12 +15,13 @@ struct Material {
   double thermal_expansion = unset;  ///< coefficient of linear expansion [1/K], >= 0
 };
 
-/// Returns bearing steel (100Cr6).
+/// Returns the properties of bearing steel (100Cr6).
 [[nodiscard]] Material steel();
-/// Returns silicon nitride Si3N4, hot pressed.
+/// Returns the properties of hot-pressed silicon nitride (Si3N4).
 [[nodiscard]] Material silicon_nitride();
 
-/// Throws std::invalid_argument with the name of the first value that is missing or out of range.
+/// Throws std::invalid_argument for the first value that is missing or out of range. The message
+/// gives the name of this value.
 void validate(const Material& material);
 
 }  // namespace raceway::bearing

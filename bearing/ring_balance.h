@@ -9,17 +9,17 @@
 #include "bearing/bearing_equilibrium.h"
 #include "bearing/lanes.h"
 
-// Equilibrium of one inner ring: sums over its balls with derivatives, and the report of each ball.
-// All unknowns are lengths and all loads are forces: tilts are multiplied and moments are divided
-// by the radius R_i of the circle of the inner groove centres. The imbalances of all components can
-// then be divided by one load (load_scale).
+// Sums of the ball forces on one inner ring, derivatives of these sums, and results of each ball.
+// Tilts are multiplied and moments are divided by the radius R_i of the circle of the inner groove
+// centres. All unknowns are then lengths, and all loads are forces, so the imbalances of all
+// components can be divided by one load (load_scale).
 namespace raceway::bearing {
 
-/// Model of a ball: two springs in series (at rest), or the equilibrium of an orbiting ball under
-/// race control or with a given rotation.
+/// Model of a ball. The contacts of a ball at rest are two springs in series. The rotation of an
+/// orbiting ball is given, or race control determines it.
 enum class BallModel { at_rest, outer_control, inner_control, given_rotation };
 
-/// Ring coordinates that are unknowns, among x, y, z, θy, θz.
+/// Ring coordinates that are unknowns. The indices 0 to 4 mean x, y, z, θy, θz.
 template <int... indices>
 struct Coordinates {
   static constexpr int count = sizeof...(indices);
@@ -27,7 +27,7 @@ struct Coordinates {
 };
 using AllCoordinates = Coordinates<0, 1, 2, 3, 4>;
 
-/// Calls f with the coordinates that are unknowns.
+/// Calls f with a Coordinates object that contains the unknown ring coordinates.
 template <typename F>
 decltype(auto) with_coordinates(Symmetry symmetry, bool tilts, F&& f) {
   switch (symmetry) {
@@ -46,8 +46,8 @@ struct ModelConstant {
   static constexpr BallModel value = model;
 };
 
-/// Calls f with the ModelConstant of balls at rest or under race control. Kernels for several
-/// points in parallel have only these models.
+/// Calls f with ModelConstant<model> for balls at rest or under race control. The functions that
+/// solve several operating points in parallel (simd_kernel.h) support only these ball models.
 template <typename F>
 decltype(auto) with_race_control(BallModel model, F&& f) {
   switch (model) {
@@ -62,7 +62,7 @@ decltype(auto) with_race_control(BallModel model, F&& f) {
   return f(ModelConstant<BallModel::inner_control>());
 }
 
-/// Calls f with a ModelConstant for any ball model.
+/// Calls f with ModelConstant<model> for any ball model.
 template <typename F>
 decltype(auto) with_model(BallModel model, F&& f) {
   if (model == BallModel::given_rotation) return f(ModelConstant<BallModel::given_rotation>());
@@ -70,44 +70,46 @@ decltype(auto) with_model(BallModel model, F&& f) {
 }
 
 /// Azimuths of the balls and the symmetry of the load. The symmetry determines the distinct balls
-/// (distinct_balls()); only their positions are unknowns.
+/// (distinct_balls()). Only the positions of the distinct balls are unknowns.
 struct BallCircle {
   const double* azimuth;  ///< [rad]
   const double* cosine;   ///< cosine of the azimuth
   const double* sine;
   int count;  ///< Z, number of balls
   Symmetry symmetry;
-  /// EquilibriumOptions::rotations: one for each ball, or one for all; empty under race control.
+  /// Given rotations (EquilibriumOptions::rotations): one for each ball, or one for all balls. The
+  /// list is empty under race control.
   std::span<const GivenRotation> rotations = {};
 
   [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
-  /// Number of balls that ball k represents [1].
+  /// Number of balls with the same load as ball k, including ball k [1].
   [[nodiscard, gnu::always_inline]] double weight(int k) const {
     return weight_of_ball(symmetry, count, k);
   }
-  /// Given rotation of ball k; null without a given rotation.
+  /// Given rotation of ball k, or null if race control determines the rotation.
   [[nodiscard, gnu::always_inline]] const GivenRotation* rotation(int k) const {
     if (rotations.empty()) return nullptr;
     return &rotations[rotations.size() == 1 ? 0 : static_cast<std::size_t>(k)];
   }
 };
 
-/// Bearing, speed and load as inputs of the equilibrium. All members have the number type T, as
-/// copy_lanes() requires.
+/// Bearing, speed and load as inputs of the equilibrium. T is double for one operating point, or
+/// Eight for eight operating points that are solved together. Every member consists of numbers of
+/// the type T, because copy_lanes() copies the struct number by number.
 template <typename T>
 struct RingPoint {
   BallConstantsOf<T> ball;
   SpringPairOf<T> springs;  ///< contact springs of a ball at rest
-  PlaneOf<T> free;          ///< inner groove centre without displacement [m]
-  T lever;                  ///< R_i, radius of the circle of inner groove centres [m]
-  T moment_arm_ratio;       ///< inner groove radius f_i D divided by R_i [1]
-  T load[5];                ///< forces, and moments divided by the lever [N]
-  T load_scale;             ///< largest magnitude in `load` [N]
-  T ball_scale;             ///< load_scale / Z [N]
-  T rounding;               ///< largest residual that rounding errors of lengths cause [1]
+  PlaneOf<T> free;     ///< position of the inner groove centre if the ring is not displaced [m]
+  T lever;             ///< R_i, radius of the circle of inner groove centres [m]
+  T moment_arm_ratio;  ///< inner groove radius divided by R_i [1]
+  T load[5];           ///< forces, and moments divided by the lever [N]
+  T load_scale;        ///< largest magnitude in `load` [N]
+  T ball_scale;        ///< load_scale divided by the number of balls [N]
+  T rounding;          ///< largest residual that rounding errors of lengths cause [1]
 };
 
-/// Returns the point of a bearing at rest without load.
+/// Returns the RingPoint of a bearing at rest without load.
 [[nodiscard]] RingPoint<double> unloaded_point(const Bearing& bearing,
                                                const EquilibriumOptions& options);
 /// Sets the speed and the loads of `ring` to the values of `point`. `ring` must come from
@@ -119,25 +121,26 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
 [[nodiscard]] BallModel ball_model(const RingPoint<double>& ring,
                                    const EquilibriumOptions& options);
 
-/// Newton step of a ball, and the approach at the outer race, which limits the step.
+/// Newton step of a ball, and the elastic approach δo of ball and outer race before the step. The
+/// solver shortens a step after which the approach would be less than a tenth of `outer_approach`.
 template <typename T>
 struct BallStep {
-  T own[2];          ///< step while the ring does not move [m]
-  T follow[4];       ///< step per unit step of the groove centre, row-major 2x2 [1]
+  T own[2];     ///< step of the ball if the ring does not move [m]
+  T follow[4];  ///< additional step per unit step of the inner groove centre, row-major 2x2 [1]
   T outer_approach;  ///< δo [m]
 };
 
-/// Forces of one ball on the ring and their derivatives, in the plane of the ball. The position of
-/// the ball is eliminated.
+/// Forces of one ball on the ring and their derivatives, in the plane through the bearing axis and
+/// the ball. The position of the ball is eliminated from the equations.
 template <typename T>
 struct BallShare {
-  T force[3];  ///< f_axial, f_radial, f_m of BallBalanceOf [N]
+  T force[3];  ///< axial and radial force, and f_m for the moment: see BallBalanceOf [N]
   T gain[3];   ///< change of these forces by the ball's own Newton step [N]
   /// Derivatives of `force` with respect to the inner groove centre (axial, radial), row-major 3x2
   /// [N/m].
   T tangent[6];
-  T imbalance;             ///< square of |r|/(RingPoint::ball_scale + Qo), r of BallBalanceOf [1]
-  BallForcesOf<T> forces;  ///< contact loads and forces for the report
+  T imbalance;             ///< square of |r|/(RingPoint::ball_scale + Qo); r: see BallBalanceOf [1]
+  BallForcesOf<T> forces;  ///< contact loads and forces of the ball
 };
 
 template <BallModel model, typename T>
@@ -170,8 +173,8 @@ template <BallModel model, typename T>
     // imbalance.
     const T scale = p.ball_scale + b.outer_load;
     const T squared = scale * scale;
-    // The determinant is 0 if rounding leaves no digit of the approach at the outer race. The ball
-    // is then not moved.
+    // The determinant is 0 if the approach at the outer race is smaller than its rounding error.
+    // The ball is then not moved.
     const T product = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
     const Mask<T> lies = product == T(0.0);
     const T determinant = select(lies, T(1.0), product);
@@ -183,7 +186,7 @@ template <BallModel model, typename T>
     step.follow[1] = inv * (b.r_x[3] * b.r_a[1] - b.r_x[1] * b.r_a[3]);
     step.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
     step.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
-    // Under outer control the moment row equals the axial row.
+    // Under outer control, Ti = 0, so f_m equals f_axial and has the same derivatives.
     constexpr int rows = rotation == Rotation::outer_control ? 2 : 3;
     for (int j = 0; j < rows; ++j) {
       const T fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
@@ -206,8 +209,8 @@ template <BallModel model, typename T>
   return share;
 }
 
-/// Step of the inner groove centre at ball k, in the plane through the bearing axis and the ball,
-/// for a step of the ring.
+/// Returns the displacement of the inner groove centre at ball k for a displacement `ring` of the
+/// ring. The result is in the plane through the bearing axis and the ball.
 template <class C, typename T>
 [[gnu::always_inline]] inline PlaneOf<T> groove_step(const BallCircle& circle, const T* ring,
                                                      int k) {
@@ -234,9 +237,9 @@ template <class C, typename T>
 /// Forces of the balls on the ring in the coordinates C, and their derivatives.
 template <class C, typename T>
 struct RingSums {
-  T carried[C::count];              ///< ball forces on the ring; moments divided by the lever [N]
-  T ahead[C::count];                ///< the same forces after the balls' own step [N]
-  T stiffness[C::count][C::count];  ///< stiffness with the balls eliminated [N/m]
+  T carried[C::count];  ///< ball forces on the ring; moments divided by the lever [N]
+  T ahead[C::count];    ///< ball forces on the ring after the step BallStep::own of each ball [N]
+  T stiffness[C::count][C::count];  ///< stiffness after elimination of the ball positions [N/m]
 
   RingSums() {
     for (int i = 0; i < C::count; ++i) {
@@ -245,11 +248,13 @@ struct RingSums {
     }
   }
 
-  /// Adds the forces of ball k, rotated from its plane into the bearing's axes.
+  /// Adds the forces of ball k. The forces are transformed from the plane of the ball to the axes
+  /// of the bearing.
   [[gnu::always_inline]] void add(const BallCircle& circle, int k, const BallShare<T>& share) {
     const double c = circle.cosine[k], s = circle.sine[k], w = circle.weight(k);
-    // Displacement of the groove centre per unit of each coordinate, axial or radial (`column`).
-    // The force of the ball acts on the ring with the same factors; f_m acts on the tilts (`row`).
+    // `unit`: displacement of the groove centre per unit of each coordinate. `column` is 0 for an
+    // axial and 1 for a radial displacement. The force of the ball acts on the ring with the same
+    // factors. `row` is the component of BallShare::force: f_m acts on the tilts.
     const double unit[] = {1.0, c, s, s, -c};
     constexpr int row[] = {0, 1, 1, 2, 2}, column[] = {0, 1, 1, 0, 0};
     for (int i = 0; i < C::count; ++i) {
@@ -267,7 +272,7 @@ struct RingSums {
   }
 };
 
-/// Turns sums over the distinct balls, with their weights, into sums over all balls of the circle.
+/// Converts the weighted sums over the distinct balls to sums over all balls.
 template <typename T>
 void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   T(&k)[5][5] = sums.stiffness;
@@ -289,7 +294,7 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
     k[3][2] = -k41;
     for (int i = 1; i < 5; ++i) sums.carried[i] = zero;
   } else if (circle.symmetry == Symmetry::mirror) {
-    // Sets the terms to zero that cancel between the two halves of the circle.
+    // Sets terms to zero that cancel each other between the two halves of the bearing.
     for (const int odd : {2, 3}) {
       sums.carried[odd] = zero;
       for (const int even : {0, 1, 4}) k[odd][even] = k[even][odd] = zero;
@@ -297,9 +302,9 @@ void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
   }
 }
 
-/// Largest relative error allowed when the loads are summed again from the reported balls. The
-/// solvers for a bearing and for an arrangement reject a solution with a larger error. Rounding
-/// errors are about a thousandth of this limit.
+/// Largest allowed difference between the applied load and the sum of the reported ball forces,
+/// relative to the load [1]. The solvers for a bearing and for an arrangement reject a solution
+/// with a larger difference. Rounding errors are about a thousandth of this limit.
 inline constexpr double largest_load_error = 1e-8;
 
 /// Results for a ring in equilibrium.
@@ -307,15 +312,15 @@ template <typename T>
 struct RingReport {
   /// Tangent stiffness; tilts are multiplied and moments divided by RingPoint::lever [N/m].
   T stiffness[5][5];
-  T residual;  ///< largest scaled imbalance of ring and balls, as in NewtonLimits [1]
-  /// Relative error of the loads summed again from the reported balls [1]; NaN if a number is not
-  /// finite.
+  T residual;  ///< largest scaled imbalance of ring and balls, see NewtonLimits [1]
+  /// Difference between the applied load and the sum of the reported ball forces, relative to the
+  /// applied load [1]. NaN if a result is not finite.
   T recovered_load_error;
 };
 
-/// Computes angles and forces of the distinct balls, for a ring in equilibrium. Then sums the ball
-/// forces from these results and compares the sum with the applied load. This comparison is an
-/// independent check of all calculations from the unknowns to the report.
+/// Computes angles and forces of the distinct balls for a ring in equilibrium, and stores them in
+/// `reports`. Then the function adds up the stored ball forces and compares their sum with the
+/// applied load. This comparison is an independent check of the results.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {
@@ -340,7 +345,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
         ball_report<model == BallModel::at_rest>(f, a, x, diameter);
 
     const T angle = select(touches, b.inner_contact_angle, zero);
-    // A ball that is loose at rest also has no outer angle.
+    // A ball at rest without contact has no outer contact angle.
     look(select(b.outer_load > zero, b.outer_contact_angle, zero));
     for (const T& number :
          {angle, b.inner_load, b.outer_load, b.outer_friction, b.centrifugal_force})
@@ -360,8 +365,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   T missing = zero, error = zero;
   for (int i = 0; i < (tilts ? 5 : 3); ++i) {
     missing = max(missing, abs(p.load[i] - sums.carried[i]));
-    // Components of the load that are zero by symmetry are not checked, because `sum` contains only
-    // the distinct balls.
+    // Load components that are zero by symmetry are not checked, because `sum` contains only the
+    // distinct balls.
     const bool even = circle.symmetry == Symmetry::none || i == 0 ||
                       (circle.symmetry == Symmetry::mirror && (i == 1 || i == 4));
     if (even) error = max(error, abs(p.load[i] - sum[i]));
@@ -374,8 +379,9 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   report.recovered_load_error = error / p.load_scale + nothing;
 }
 
-/// Sets all members of `result` except status and iterations, from lane i of a ring in equilibrium
-/// and of its distinct balls. T is double or Eight.
+/// Sets displacement, stiffness, balls, rotations, residual and load error of `result`. T is double
+/// for one operating point, or Eight for eight operating points. With Eight, the function uses the
+/// values of operating point i in `lever`, `ring`, `report` and `balls`.
 template <typename T>
 void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
                       const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,

@@ -9,36 +9,37 @@
 namespace raceway::bearing {
 
 struct NewtonLimits {
-  /// Limit of the residual, the largest scaled imbalance [1]. The imbalance of the ring is divided
-  /// by RingPoint::load_scale, the imbalance of a ball by RingPoint::ball_scale plus its outer
-  /// load.
+  /// Limit of the residual [1]. The residual is the largest scaled imbalance. The imbalance of the
+  /// ring is divided by RingPoint::load_scale. The imbalance of a ball is divided by the sum of
+  /// RingPoint::ball_scale and the load Qo of the ball at the outer race.
   double tolerance;
-  int steps;  ///< largest number of steps of one lane
-  /// Factor by which a full step may raise the merit: the sum of the squares of the scaled ring
-  /// imbalances, plus the mean of these squares over the balls. A ball that gains or loses contact
-  /// may raise the merit once.
+  int steps;  ///< largest number of Newton steps in one lane
+  /// Factor by which a full step may raise the merit. The merit is the sum of the squares of the
+  /// scaled ring imbalances, plus the mean of the squares of the scaled ball imbalances. The merit
+  /// can rise when a ball gains or loses contact.
   double rise = 4.0;
 };
 
-/// Progress of the lanes. For each lane, at most one of the masks `converged`, `not_finite`,
-/// `singular` and `exhausted` is true.
+/// Progress of the lanes (one operating point in each lane, see lanes.h). For each lane, at most
+/// one of the masks `converged`, `not_finite`, `singular` and `exhausted` is true.
 template <typename T>
 struct NewtonProgress {
-  Mask<T> taken;      ///< trial state accepted; the lane continues unless another mask is true
-  Mask<T> converged;  ///< residual within the tolerance, or as small as rounding allows
+  /// True if the trial state was accepted; the iteration continues unless another mask is true.
+  Mask<T> taken;
+  Mask<T> converged;  ///< true if the residual is within the tolerance or near the rounding error
   Mask<T> not_finite, singular, exhausted;
 };
 
-/// Newton's method for ring and balls together, with an independent point in each lane. Lanes can
-/// start and finish at different times. A result does not depend on the other lanes.
+/// Newton's method for ring and balls together, with one operating point in each lane. Lanes can
+/// start and finish at different times. The result of a lane does not depend on the other lanes.
 ///
-/// A step moves the ring by at most half the distance of the groove centres. A full step may raise
-/// the merit by the factor NewtonLimits::rise, because a ball may gain or lose contact. If the
-/// merit rises more, the step is halved until the merit does not rise. After six halvings, the step
-/// is accepted in any case. The step of a single ball is shortened if it would lift this ball off
-/// the outer race. When a lane converges, its trial state is one Newton step beyond the accepted
-/// state. Use the trial state as the result. The error of the trial state is near the rounding
-/// error. The last step is not counted.
+/// A step leads from the accepted state to a trial state, which pass() accepts or rejects. A step
+/// moves the ring by at most half the distance of the groove centres. A full step may raise the
+/// merit by the factor NewtonLimits::rise, because a ball may gain or lose contact. If the merit
+/// rises more, the step is halved until the merit does not rise. After six halvings, the step is
+/// accepted in any case. When a lane converges, use its trial state as the result. The trial state
+/// is one Newton step beyond the accepted state, so its error is near the rounding error. `steps`
+/// does not include this last step.
 template <typename T>
 class RingNewton {
  public:
@@ -50,7 +51,8 @@ class RingNewton {
   T steps = T(0.0);     ///< number of steps since the start
   T residual = T(0.0);  ///< largest scaled imbalance at `ring` and `balls` [1]
 
-  /// Marks the trial state of lane i as a start, not a step.
+  /// Marks the trial state of lane i as a starting state. The next pass() accepts a starting state
+  /// without a test of the merit, and does not count the start as a step.
   void begin(std::size_t i) {
     set_lane(fresh_, i, 1.0);
     set_lane(steps, i, 0.0);
@@ -61,8 +63,8 @@ class RingNewton {
     for (auto* v : {&now_, &trial_}) v->resize(used);
   }
 
-  /// Evaluates the trial state of every lane. Accepts the trial state or halves the step, and
-  /// prepares the next trial state.
+  /// Evaluates the trial state of every lane, and accepts or rejects it. Then computes the next
+  /// trial state: a new step, or half of the rejected step.
   template <BallModel model, class C>
   NewtonProgress<T> pass(const BallCircle& circle, const NewtonLimits& limits,
                          const InnerContact* contacts = nullptr);
@@ -96,7 +98,8 @@ template <BallModel model, class C>
     const auto i = static_cast<std::size_t>(k);
     const PlaneOf<T> centre = groove_centre<C>(point, circle, trial_ring, k);
     bool alike = false;
-    // A ball equal to the last one is not computed again: from a thrust start all balls are equal.
+    // A ball with the same position as the ball before it is not computed again. At a thrust start,
+    // all balls are equal.
     if constexpr (is_scalar<T>)
       alike = centre == last_centre && trial_balls[i] == last_ball && !contacts &&
               circle.rotations.size() <= 1;
@@ -164,7 +167,7 @@ template <BallModel model, class C>
     PlaneOf<T> next{
         x.axial + fraction_ * (e.own[0] + e.follow[0] * da.axial + e.follow[1] * da.radial),
         x.radial + fraction_ * (e.own[1] + e.follow[2] * da.axial + e.follow[3] * da.radial)};
-    // The centrifugal force keeps every ball on the outer race. A step that leaves the race is
+    // The centrifugal force keeps every ball on the outer race, so a step that leaves the race is
     // shortened.
     const T least = outer_radius + 0.1 * e.outer_approach;
     const T squared = next.axial * next.axial + next.radial * next.radial;
@@ -188,8 +191,8 @@ NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimi
   const T accept = select(halvings_ == T(0.0), T(limits.rise), T(1.0));
   NewtonProgress<T> progress;
   progress.taken = fresh || trial_merit_ <= accept * merit_ || halvings_ == T(6.0);
-  // Accepts the accuracy that rounding allows. Under a very small load, this accuracy is worse than
-  // the tolerance.
+  // Accepts a residual near the rounding error. Under a very small load, the rounding error is
+  // larger than the tolerance.
   const T near = min(max(T(10.0 * limits.tolerance), point.rounding), T(0.1 * largest_load_error));
   const Mask<T> stalled = !fresh && trial_residual_ <= near && trial_merit_ > 0.25 * merit_;
   take<C>(progress.taken, circle.used());

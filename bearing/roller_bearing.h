@@ -17,9 +17,9 @@ enum class RollerProfile {
   none  ///< straight cylinders
 };
 
-/// Condition of the bearing for which the radial clearance is given.
+/// State of the bearing for which the radial clearance is given.
 enum class ClearanceState {
-  mounted,  ///< on its seats, cold and at standstill
+  mounted,  ///< mounted on its seats, cold and at standstill
   free      ///< before mounting
 };
 
@@ -29,9 +29,9 @@ struct RollerGeometry {
   double roller_diameter = unset;  ///< D [m]
   double roller_length = unset;    ///< L, effective length without the chamfers [m]
   double pitch_diameter = unset;   ///< d_m [m]
-  double radial_clearance = 0.0;   ///< s, diametral; a negative value is a preload [m]
+  double radial_clearance = 0.0;   ///< diametral clearance s [m]; a negative value is a preload
   ClearanceState clearance_state = ClearanceState::mounted;
-  double taper = 0.0;  ///< taper of the bore: 12 for 1:12; 0 for a cylindrical bore [1]
+  double taper = 0.0;  ///< taper of the bore: 12 for 1:12, 0 for a cylindrical bore [1]
   RollerProfile profile = RollerProfile::iso;
   double bore = unset;                ///< d [m]; may be unknown
   double outer_diameter = unset;      ///< diameter of the outer ring [m]; may be unknown
@@ -40,19 +40,19 @@ struct RollerGeometry {
 
   /// γ = D/d_m [1].
   [[nodiscard]] double diameter_ratio() const { return roller_diameter / pitch_diameter; }
-  /// Diameter of a raceway, d_m ∓ D [m].
+  /// Diameter of a raceway [m]: d_m - D at the inner ring, d_m + D at the outer ring.
   [[nodiscard]] double raceway_diameter(Race race) const {
     return pitch_diameter + (race == Race::inner ? -roller_diameter : roller_diameter);
   }
 };
 
-/// Checks and returns the geometry. Throws std::invalid_argument with name, value and allowed range
-/// for the first missing or impossible value.
+/// Checks and returns the geometry. Throws std::invalid_argument for the first missing or
+/// impossible value. The message gives name, value and allowed range.
 [[nodiscard]] RollerGeometry validated(const RollerGeometry& geometry);
 
-/// Number of slices of a roller. The number is fixed, because the life depends on the number of
-/// slices through the edge factor of ISO/TS 16281. The number is odd, so that one slice lies in the
-/// middle of the roller.
+/// Number of slices (laminae) of a roller. The number is fixed, because the life depends on this
+/// number through the edge stress factor of ISO/TS 16281. The number is odd, so that one slice lies
+/// in the middle of the roller.
 inline constexpr std::size_t lamina_count = 41;
 
 /// Profile relief of a roller at the distance x from its middle [m].
@@ -61,28 +61,30 @@ inline constexpr std::size_t lamina_count = 41;
 ///   P = 0.0005 D ln(1/(1 - ((2|x| - L + 2.5 D)/(2.5 D))²))     L > 2.5 D, |x| > (L - 2.5 D)/2
 ///
 /// P is zero in the straight middle of a long roller, and for RollerProfile::none.
-/// Source:   [ISO16281], not checked against the print. Two other programs use the first formula.
-///           The brackets of the second formula are from memory; one program has different
-///           brackets.
+/// Source:   [ISO16281], not checked against the printed standard. Two other programs use the first
+///           formula. The second formula was written without a copy of the standard. One of these
+///           programs sets the brackets of the second formula differently, so their position is
+///           uncertain.
 /// Domain:   |x| < L/2.
 [[nodiscard]] double roller_relief(const RollerGeometry& geometry, double x);
 
-/// Line contact of roller and raceway, for one slice.
+/// Line contact between one slice of a roller and a raceway.
 ///
 ///   q = c1 δ^(10/9),   c1 = 2^(10/9) cs,   cs = 35948 L^(8/9)/ns   [N, mm]
 ///
-/// q is the load of one slice at one race, δ is its approach there, and ns is lamina_count. cs is
-/// the stiffness of both contacts of a slice in series, and c1 is the stiffness of a single
-/// contact. For materials other than steel, cs and c1 are multiplied by 2 k(steel)/(k(roller) +
-/// k(ring)), k = (1 - ν²)/E.
+/// The number 35948 is valid for forces in N and lengths in mm. q is the load of one slice at one
+/// race, δ is the approach of slice and race, and ns is lamina_count. cs is the stiffness of both
+/// contacts of a slice in series, and c1 is the stiffness of a single contact. For materials other
+/// than steel, cs and c1 are multiplied by 2 k(steel)/(k(roller) + k(ring)), k = (1 - ν²)/E.
 ///
-/// Source:   [ISO16281], as two other programs implement it. Derived: the split into two equal
-///           contacts in series, and the factor of the materials (in Lundberg's formula, the load
-///           occurs only multiplied by k).
+/// Source:   [ISO16281], as two other programs implement it. Two parts are derived here: the split
+///           into two equal contacts in series, and the factor for other materials. The factor for
+///           other materials follows from Lundberg's formula, in which the load occurs only as a
+///           product with k.
 /// Accuracy: the approach is within 2.5 % of a boundary element solution for the contact of a strip
 ///           and a cylinder. Palmgren's formula 3.84e-5 Q^0.9/L^0.8 gives an approach that is 3.4 %
 ///           smaller.
-/// Trap:     the constant 35948 is for both contacts in series. The constant 3.84e-5 is for one
+/// Trap:     the constant 35948 is for both contacts in series, but the constant 3.84e-5 is for one
 ///           contact.
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
@@ -107,7 +109,7 @@ struct LineContact {
 /// constants.
 class RollerBearing {
  public:
-  /// Throws std::invalid_argument as validated(geometry) and validate(material) do.
+  /// Throws std::invalid_argument in the same cases as validated(geometry) and validate(material).
   RollerBearing(const RollerGeometry& geometry, const Material& rollers, const Material& rings);
 
   [[nodiscard]] const RollerGeometry& geometry() const { return geometry_; }
@@ -119,8 +121,10 @@ class RollerBearing {
   /// Centrifugal force of a roller [N] at the speed ω of the inner ring [rad/s]:
   ///
   ///   Fc = m d_m/2 ω_m²,   ω_m = ω (1 - D/d_m)/2
+  ///
+  /// m is the mass of the roller, and ω_m the orbital speed.
   [[nodiscard]] double centrifugal_force(double speed) const;
-  /// Positions of the slices' middles, measured from the middle of the roller along +x [m].
+  /// Positions of the middle of each slice, measured from the middle of the roller along +x [m].
   [[nodiscard]] const std::array<double, lamina_count>& positions() const { return positions_; }
   /// Profile relief at the middle of each slice [m].
   [[nodiscard]] const std::array<double, lamina_count>& relief() const { return relief_; }

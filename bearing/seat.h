@@ -19,23 +19,23 @@ enum class Seat {
 /// Determines the seat from the least and largest inner contact angles of the loaded balls [rad].
 ///
 /// A ball with a contact angle above 0 pushes the ring along the axis. If the groove has a shoulder
-/// on one side only, all balls push in the same direction. Under a purely radial load the sum of
-/// the axial ball forces must be zero, so each axial ball force is zero. The ring moves back until
-/// the groove centres lie opposite each other, and the balls carry the load at contact angle 0. A
-/// moment without enough axial load needs balls that push in the opposite direction. The solver
-/// permits such balls, because the grooves of the model continue beyond the bottom. In a real
-/// bearing the rings separate.
+/// on one side only, all balls push in the same direction. Under a purely radial load, the sum of
+/// the axial ball forces must be zero, so each axial ball force is zero. The ring moves axially
+/// until the balls carry the load at contact angle 0. A moment without enough axial load needs
+/// balls that push in the opposite direction. The solver permits such balls, because the grooves of
+/// the model continue on the other side of the bottom. In a real bearing without a second shoulder,
+/// the rings separate.
 ///
-/// Domain:   angles up to a tenth of the nominal angle are treated as zero. The result is
-///           `shoulder` for a bearing with α0 = 0 (deep groove, with two shoulders) and for a
-///           bearing without loaded balls.
+/// Domain:   angles up to a tenth of the nominal contact angle α0 are treated as zero. The result
+///           is `shoulder` for a deep-groove bearing (α0 = 0, two shoulders) and for a bearing
+///           without loaded balls.
 [[nodiscard]] Seat seat(double least_inner_angle, double largest_inner_angle, double contact_angle);
 [[nodiscard]] Seat seat(const BearingEquilibrium& equilibrium, const BearingGeometry& geometry);
 
 /// Returns the axial load that presses half of the balls against the shoulders under a radial load
-/// [N]: 1.22 F_r tan α0, with the contact angle at its nominal value.
-/// Source: the load integrals of point contact, J_a/J_r = 0.2782/0.2288 at ε = 0.5
-///         [Harris2006, vol. 1, ch. 7], recomputed.
+/// F_r [N]: 1.22 F_r tan α0. α0 is the nominal contact angle `contact_angle`.
+/// Source: the load integrals of point contact, J_a/J_r = 0.2782/0.2288 for a load zone of half the
+///         circumference (ε = 0.5) [Harris2006, vol. 1, ch. 7], recomputed.
 [[nodiscard]] double seating_load(double radial_load, double contact_angle);
 
 }  // namespace raceway::bearing

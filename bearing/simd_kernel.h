@@ -6,32 +6,39 @@
 
 namespace raceway::bearing {
 
-/// Eight operating points of a KernelCall, with their results. All axial loads are above 0.
+/// Eight operating points and their results. The points are calculated in parallel. `Eight`
+/// contains one number for each point; the place of a number is called a lane (lanes.h). The axial
+/// load of each point is above 0.
 struct KernelBlock {
   RingPoint<Eight> points;
   bool converged[Eight::size];
   int steps[Eight::size];  ///< number of Newton steps
-  Eight ring[5];           ///< ring displacement; tilts are multiplied by RingPoint::lever [m]
+  /// Displacement of the inner ring [m]. The two tilts are multiplied by RingPoint::lever.
+  Eight ring[5];
   RingReport<Eight> report;
 };
 
-/// Points that one call of a kernel solves. All points have equal ball count, symmetry, ball model
-/// and free coordinates. If the points do not fill the last block, the caller must fill the
-/// remaining lanes with any point. The results of the remaining lanes are not used.
+/// Operating points for one call of solve_sse2(), solve_avx2() or solve_avx512(), eight in each
+/// block. All points have the same number of balls, the same symmetry of the load, the same ball
+/// model and the same free coordinates of the inner ring. If the points do not fill the last block,
+/// the caller must fill the remaining lanes with any point. The results of these lanes are not
+/// used.
 struct KernelCall {
   BallCircle circle;
   BallModel model;
   bool tilts;
   double tolerance;
   KernelBlock* blocks;
-  std::size_t count;         ///< number of points
-  BallReport<Eight>* balls;  ///< circle.used() reports for each block
+  std::size_t count;  ///< number of points
+  /// Results of the balls. Each block has circle.used() elements, one for each distinct ball.
+  BallReport<Eight>* balls;
 };
 
-// These functions solve many points in parallel by Newton's method from the closed-form thrust
-// start, and report their balls. The search for single points solves the points that do not
-// converge here. A result does not depend on the other points of the call. There is one function
-// for each instruction set.
+// These functions solve many points in parallel by Newton's method, and write the results to
+// KernelCall::blocks and KernelCall::balls. Newton's method starts from the approximate solution
+// for pure thrust (thrust_start.h). If a point does not converge here, the caller solves this point
+// alone (solve_many.h). A result does not depend on the other points of the call. There is one
+// function for each instruction set.
 void solve_sse2(const KernelCall& call);
 void solve_avx2(const KernelCall& call);
 void solve_avx512(const KernelCall& call);

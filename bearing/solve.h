@@ -18,16 +18,17 @@ enum class SolveStatus {
 /// Returns the name of the status in the JSON results, such as "no_equilibrium".
 [[nodiscard]] std::string_view name(SolveStatus status);
 
-/// Outcome of a solve. A new report has the status `not_run`. Only the solver sets `converged`.
+/// Status and accuracy of a solution. A new report has the status `not_run`. Only the solver sets
+/// `converged`.
 struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
-  int iterations = 0;       ///< Newton steps, summed over all stages
-  double residual = unset;  ///< largest imbalance of ring and balls, relative to load [1]
-  /// Difference between the applied load and the sum of the forces of the reported balls: largest
+  int iterations = 0;       ///< number of all Newton steps
+  double residual = unset;  ///< largest imbalance of ring and balls, relative to the load [1]
+  /// Difference between the applied load and the sum of the reported ball forces: its largest
   /// component, relative to the load [1].
   double recovered_load_error = unset;
-  /// True if statics proves that no equilibrium exists. If false, `no_equilibrium` only means that
-  /// the search found none.
+  /// True if statics proves that no equilibrium exists. If this member is false, the status
+  /// `no_equilibrium` only means that the solver found no equilibrium.
   bool certain = false;
   [[nodiscard]] bool converged() const { return status == SolveStatus::converged; }
 };

@@ -16,27 +16,30 @@ enum class InstructionSet { sse2, avx2, avx512 };
 [[nodiscard]] InstructionSet best_instruction_set();
 [[nodiscard]] bool available(InstructionSet set);
 
-/// An operating point of a bearing. Different Bearing objects, for example for the same bearing at
-/// several temperatures, can be solved in the same SIMD batch if they have equal numbers of balls.
+/// Operating point together with its bearing. Cases with different Bearing objects can be solved in
+/// the same SIMD batch if the bearings have equal numbers of balls. An example is one bearing at
+/// several temperatures.
 struct BearingCase {
   const Bearing* bearing = nullptr;
   OperatingPoint point;
 };
 
-/// Finds the equilibria of many operating points. No point starts from the solution of another
-/// point. The statuses equal the statuses of solve_bearing_equilibrium(), and the solutions agree
-/// within the tolerance. There is one exception: under inner control one load can have several
-/// equilibria, and rounding can lead each instruction set to a different one.
+/// Finds the equilibria of many operating points. The solution of one point is never the start
+/// value of another point. Each status equals the status from solve_bearing_equilibrium(), and the
+/// solutions agree within the tolerance. There is one exception: under inner control, one load can
+/// have several equilibria. Because of rounding, different instruction sets can then find different
+/// equilibria.
 ///
-/// Newton's method solves several points in parallel (SIMD), from the closed-form thrust solution.
-/// Points at which this method does not converge, points without positive axial load, and points
-/// with given rotations are solved like single points. Threads share the points in fixed chunks.
-/// The result of a point depends only on the point and the instruction set, to the last bit. The
-/// number of threads has no influence. The function needs memory for the results and a fixed amount
-/// per thread. Memory for balls that `results` already contains is used again.
+/// Newton's method solves several points in parallel (SIMD), starting from the approximate solution
+/// for pure thrust. Points without positive axial load, points with given rotations, and points
+/// that do not converge in this way are solved one by one. The result of a point depends only on
+/// the point and the instruction set, not on the number of threads or on the other points. Repeated
+/// calls give equal results to the last bit. The function needs memory for the results and a fixed
+/// amount of memory for each thread. If `results` has memory from an earlier call, the function
+/// uses this memory again.
 ///
-/// Throws std::invalid_argument if the number of results differs from the number of points, for
-/// points that are out of range, and if the machine does not support `set`.
+/// Throws std::invalid_argument if the number of results differs from the number of points, if a
+/// point is outside the range of validate(), or if the processor does not support `set`.
 void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,
                 std::span<BearingEquilibrium> results, const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
@@ -44,9 +47,9 @@ void solve_many(std::span<const BearingCase> cases, std::span<BearingEquilibrium
                 const EquilibriumOptions& options = {},
                 InstructionSet set = best_instruction_set());
 
-/// Solves many points for callers that keep only a few values of each point. Several threads call
-/// `take` with the index of a point and its equilibrium, once for each index. Memory does not grow
-/// with the number of points.
+/// Solves many points without storing all results. The function calls `take` once for each point,
+/// with the index and the equilibrium of the point. Several threads call `take` at the same time.
+/// The memory use does not grow with the number of points.
 void visit_equilibria(const Bearing& bearing, std::span<const OperatingPoint> points,
                       const std::function<void(std::size_t, const BearingEquilibrium&)>& take,
                       const EquilibriumOptions& options = {},

@@ -5,21 +5,23 @@
 
 namespace raceway::bearing {
 
-/// Approximate positions of the ring and of every ball under pure thrust. The solver starts from
-/// these positions if the axial load is above 0 and a start from a neighbouring solution is not
-/// possible or fails.
+/// Approximate positions of the ring and of every ball under a pure axial load (thrust). If the
+/// axial load is above 0, the solver starts Newton's method from these positions. If a neighbouring
+/// solution is known, the solver tries this solution first. T is double, or a SIMD batch with one
+/// operating point in each lane (lanes.h).
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]
-  PlaneOf<T> ball_centre;  ///< X [m]
+  PlaneOf<T> ball_centre;  ///< position X of the ball centre [m]
 };
 
-/// Statics of a ball under a thrust P per ball, at a given cotangent of the inner contact angle:
+/// Static equilibrium of a ball under a thrust P per ball, at a given cotangent of the inner
+/// contact angle:
 ///
 ///   Qi = (P - Ti cos αi)/sin αi,   tan αo = P / (Qi cos αi - Ti sin αi + 1.4 Fc)   (outer control)
 ///
-/// The loads Qi, Ti, Fc and the contact angles αi, αo are as in BallBalanceOf. The gyroscopic
-/// moment contributes 0.4 to the factor 1.4.
+/// Qi, Ti, Fc and the contact angles αi, αo are explained in BallBalanceOf. Fc is multiplied by 1.4
+/// and not by 1, because of the gyroscopic moment.
 template <RaceControl control, typename T>
 class ThrustStatics {
  public:
@@ -29,9 +31,9 @@ class ThrustStatics {
         inner_share_(T(1.0) / constants.inner_stiffness),
         outer_share_(T(1.0) / constants.outer_stiffness) {}
 
-  /// Computes the statics at this cotangent. The iteration starts at the outer contact angle of the
-  /// previous call. Lanes outside `active` keep their outer angle, and possible() is false for
-  /// them.
+  /// Computes the static equilibrium at the given cotangent of αi. The iteration for αo starts at
+  /// the result of the previous call. If `active` is false for an operating point (lane), αo of
+  /// this point does not change, and possible() is false.
   [[gnu::always_inline]] void solve(const T& cotangent, const Mask<T>& active) {
     using std::abs, std::cbrt, std::sqrt;
     const T one(1.0), zero(0.0);
@@ -39,7 +41,8 @@ class ThrustStatics {
     ci_ = cotangent * si_;
     T qi = zero, qo = zero;
     Mask<T> possible(true), moving = active;
-    // The speed depends on αo, and αo depends on the speed. A few iterations give a good start.
+    // The orbital speed depends on αo, and αo depends on the orbital speed. A few iterations are
+    // accurate enough for a start value.
     for (int round = 0; round < 6 && any(moving); ++round) {
       const T cd = ci_ * co_ + si_ * so_;
       const T m = cage_speed_ratio(control, ci_, co_, cd, c_.diameter_ratio);
@@ -82,7 +85,7 @@ class ThrustStatics {
   }
 
   [[nodiscard]] Mask<T> possible() const { return possible_; }
-  /// Radial distance of the groove centres [m].
+  /// Radial distance between the groove centres [m].
   [[nodiscard]] T radial_distance() const { return outer_length_ * co_ + inner_length_ * ci_; }
   [[nodiscard]] T axial_distance() const { return outer_length_ * so_ + inner_length_ * si_; }
   [[nodiscard]] PlaneOf<T> ball_centre() const {
@@ -105,19 +108,21 @@ template <typename T>
   return root * (cube + 2.0 * x) / (2.0 * cube + x);
 }
 
-/// Finds the thrust start by Newton's method in c = cos αi and the orbital speed ratio m:
+/// Finds the positions under pure thrust (ThrustStart) by Newton's method. The unknowns are c = cos
+/// αi and the orbital speed ratio m:
 ///
 ///   E = Lo cos αo + Li c - R = 0,   m = F(c, cos(αi - αo))
 ///   t = cot αo = (Qi c + 1.4 Fc)/P,   ∂t/∂c = 1/sin³ αi,   ∂t/∂m = 2.8 C m/P
 ///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
-/// Lo and Li are the distances from the ball centre to the outer and the inner groove centre, R =
-/// `free.radial` is the radial distance of these groove centres, F is cage_speed_ratio(), and P is
-/// the thrust per ball. `free` is the inner groove centre of the undisplaced ring. Qi, Fc, C and δ
-/// are as in BallBalanceOf. The formula of cot αo is for outer control. Inner control uses the same
-/// derivatives, which then neglect the change of the gyroscopic couple. The last step follows the
-/// derivatives (sin αi to second order); the equations are not evaluated after this step. Most
-/// loads need two evaluations. Returns true in the lanes with a result.
+/// Lo and Li are the distances from the ball centre to the outer and the inner groove centre.
+/// `free` is the inner groove centre of the undisplaced ring, and R = `free.radial` is the radial
+/// distance between the groove centres. F is cage_speed_ratio(), and P is the thrust per ball. Q is
+/// the load and δ the Hertz approach of one contact. Qi, Fc and C are explained in BallBalanceOf.
+/// The formula of cot αo is valid for outer control. Under inner control, the function uses the
+/// same derivatives and neglects the change of the gyroscopic couple. The iteration ends when a
+/// step changes c by less than 0.01 and αo by less than 0.01 rad. Returns true in each lane
+/// (operating point) in which the iteration converges.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
@@ -141,7 +146,8 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     T qi, radial, so, co;
     M possible(true);
     if constexpr (control == RaceControl::inner) {
-      // Both races carry the gyroscopic couple. The outer angle is as in ThrustStatics.
+      // Both races carry the gyroscopic couple. The outer contact angle follows from the same
+      // formula as in ThrustStatics.
       const T ti = 0.2 * c.full_centrifugal * c.gyroscopic * m * (one - m) * si;
       qi = (thrust - ti * ci) * inv_si;
       radial = qi * ci - ti * si + fc;
@@ -172,7 +178,7 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     const T li = c.inner_radius + inner_approach, lo = c.outer_radius + outer_approach;
     const T excess = lo * co + li * ci - free.radial;
 
-    // Derivatives of αo, and from them of Lo, with respect to c and m.
+    // Derivatives of αo and of Lo with respect to c and m.
     const T flatter = ci * inv_si, inv_si2 = inv_si * inv_si, so2 = so * so;
     const T t_c = inv_si2 * inv_si;
     const T fc_m = 2.0 * c.full_centrifugal * m;
@@ -224,10 +230,10 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
   return found;
 }
 
-/// Finds the thrust start. Lanes in which quick_thrust_start() fails solve one equation in cot αi
-/// by a bracketing secant method: ThrustStatics::radial_distance() equals `free.radial`. Returns
-/// false in lanes without a root, which have no equilibrium under pure thrust. Lanes with a root
-/// keep this root while other lanes continue.
+/// Finds the positions under pure thrust (ThrustStart) by quick_thrust_start(). In lanes in which
+/// quick_thrust_start() fails, a bracketing secant method solves the equation
+/// ThrustStatics::radial_distance() = `free.radial` for cot αi. Returns false in lanes whose
+/// operating points have no equilibrium under pure thrust.
 template <RaceControl control, typename T>
 Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                      ThrustStart<T>& start) {
@@ -241,9 +247,9 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     statics.solve(cotangent, active);
     return select(statics.possible(), statics.radial_distance() - free.radial, T(unset));
   };
-  // Bracket the root: at small contact angles the radial distance is too long, at large ones too
-  // short. Under inner control statics may have no solution in part of the range. Then there may be
-  // no root.
+  // Bracket the root: the radial distance is too long at small contact angles and too short at
+  // large contact angles. Under inner control, the static equilibrium may have no solution in a
+  // part of the range. Then there may be no root.
   T high = free.radial / max(free.axial, 0.01 * free.radial);
   T at_high = excess(high, !quick);
   for (int i = 0; i < 20; ++i) {
@@ -262,7 +268,8 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     low = select(steeper, select(low > T(0.05), 0.7 * low, low - 0.5), low);
     at_low = select(steeper, excess(low, steeper), at_low);
   }
-  // Statics may stop having a solution between low and high. Search for a root on the side of high.
+  // The static equilibrium may have no solution near `low`. Search for a root on the side of
+  // `high`.
   for (int i = 0; i < 60; ++i) {
     const M outside = rooted && at_low != at_low;
     if (!any(outside)) break;
@@ -302,9 +309,11 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
                                 Plane free_groove_centre, double thrust_per_ball,
                                 ThrustStart<double>& start);
 
-/// Finds the ball centre and the inner groove centre at which one ball under inner control exerts a
-/// given force on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi. The outer
-/// contact angle and load follow from statics. Returns false if the contact would be in tension.
+/// Finds the ball centre and the inner groove centre at which one ball under inner control exerts
+/// the given force f on the inner ring: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi. Ti is
+/// the friction force at the inner race. The outer contact angle and load follow from the static
+/// equilibrium of the ball. Returns false if there is no such equilibrium, for example because a
+/// contact would be in tension.
 [[nodiscard]] bool ball_under_force(const BallConstantsOf<double>& constants, Plane force,
                                     Plane& groove_centre, Plane& ball_centre);
 

@@ -8,7 +8,7 @@ namespace raceway::bearing {
 [[noreturn]] void refuse(std::string_view name, double value, double lower, double upper,
                          double unit, std::string_view unit_name);
 
-/// Throws std::invalid_argument unless lower <= value <= upper, also for NaN, a missing value. The
+/// Throws std::invalid_argument if the value is outside `lower` to `upper` or is NaN (missing). The
 /// message gives name, value and range in the unit `unit_name`, for example `ball_diameter = -12
 /// mm: must be from 0.5 to 200 mm`. `unit` is the size of this unit in SI units.
 inline void require_between(std::string_view name, double value, double lower, double upper,

@@ -1,22 +1,24 @@
-/// Interface to the friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW and
-/// Modelica. Models are read from TOML (docs/files.md). A state is an operating point: speed, loads
-/// and temperature. States and results are plain arrays.
+/// Calculates the friction of spindle bearings, for programs in C, Fortran, MATLAB, Octave, LabVIEW
+/// and Modelica. Models are read from TOML (docs/files.md). A state is an operating point: speed,
+/// loads and temperature. States and results are plain arrays.
 ///
 /// Units:    the name of a quantity ends with its unit, such as rpm, N, C (degrees Celsius) or Nmm
 ///           (N mm).
-/// Returns:  raceway_solve(), raceway_table() and raceway_predict() return 0: done, 1: wrong input,
-///           2: some states did not converge. The exit status of the command raceway has the same
-///           meaning.
+/// Returns:  raceway_solve(), raceway_table() and raceway_predict() return RACEWAY_DONE (0),
+///           RACEWAY_WRONG_INPUT (1), or RACEWAY_NOT_CONVERGED (2) if some states did not converge.
+///           The exit status of the program raceway has the same meaning.
 /// Messages: a function with `message` and `message_size` writes its message into the buffer
-///           `message`, in UTF-8 with a final zero byte. The message is the error text, or one line
-///           for each note and warning ("note: ...", "warning: ..."), or empty. Text that does not
-///           fit is cut off between two characters. With NULL or a size of 0, no text is written.
+///           `message`, in UTF-8 with a final zero byte. The message contains the error text, or
+///           one line for each note and warning ("note: ...", "warning: ..."). Without error, notes
+///           and warnings, the message is empty. If the buffer is too small, the text is cut off
+///           after a complete character. If `message` is NULL or `message_size` is 0, no text is
+///           written.
 /// Threads:  several threads may call the functions at the same time, even with the same model,
-///           because a model does not change. Call raceway_free() once for each model, after all
-///           other calls with this model.
+///           because the functions do not change a model. Call raceway_free() once for each model,
+///           after all other calls with this model.
 /// Errors:   no function throws, prints or ends the program. If memory runs out, raceway_create()
 ///           and raceway_create_from_file() return NULL, and the functions under "Returns" return
-///           1.
+///           RACEWAY_WRONG_INPUT.
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 
@@ -39,7 +41,7 @@ typedef struct raceway_model raceway_model;
 /// Return values of the functions.
 enum { RACEWAY_DONE = 0, RACEWAY_WRONG_INPUT = 1, RACEWAY_NOT_CONVERGED = 2 };
 
-/// Solution status of a state. raceway_status_name() returns its name.
+/// Result of the solver for one state. raceway_status_name() returns the name of a status.
 enum {
   RACEWAY_STATUS_CONVERGED = 0,
   RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< no equilibrium was found under this load
@@ -60,21 +62,21 @@ RACEWAY_API const char* raceway_status_name(int status);
 /// NULL means "model". Names of files in the text are relative to the folder of `source_name`.
 ///
 /// Returns the model. Free the model with raceway_free(). After an error, the function returns
-/// NULL, and `message` gives the reason. raceway_messages() returns the notes on a model that was
-/// read.
+/// NULL, and `message` gives the reason. raceway_messages() returns the notes on the model.
 RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* source_name,
                                           char* message, size_t message_size);
 
-/// Reads a model from a file, otherwise like raceway_create(). The path "-" is an error: the
-/// function does not read standard input.
+/// Reads a model from a file. Result and errors are the same as for raceway_create(). The path "-"
+/// is an error, because the function does not read standard input.
 RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* message,
                                                     size_t message_size);
 
-/// Frees a model. Do not use the model afterwards. A call with NULL does nothing.
+/// Frees a model. Do not use the model afterwards. If `model` is NULL, the function does nothing.
 RACEWAY_API void raceway_free(raceway_model* model);
 
-/// Returns the notes and warnings from reading the model, such as the number of default values, one
-/// per line. The text is valid until the model is freed. The text is empty if `model` is NULL.
+/// Returns the notes and warnings that arose when the model was read, one per line, such as the
+/// number of default values. The text is valid until the model is freed. The text is empty if
+/// `model` is NULL.
 RACEWAY_API const char* raceway_messages(const raceway_model* model);
 
 /// Returns the number of result columns of raceway_solve() and raceway_table(); 0 if `model` is
@@ -96,38 +98,44 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 ///           NULL, the value of the model is used. speed_rpm is required. Axial loads of a shaft
 ///           are external loads, positive towards the tool. Radial loads are not allowed for a
 ///           shaft.
-/// strides   four numbers, one for each of these arrays in their order: the distance from one state
-///           to the next, counted in doubles. With a stride of 1, the array has `count` numbers.
-///           With 0, one number is used for all states. A negative stride has the same meaning as a
-///           NULL array, for languages without NULL. If `strides` is NULL, all strides are 1.
-/// columns   indices of the `column_count` columns to compute, from raceway_column_index(). With
-///           NULL or a count of 0, all columns are computed, in their order.
-/// values    [count x columns], one column after the other: state i of the j-th given column is
-///           values[j * count + i], in Fortran and MATLAB values(i, j). A result that cannot be
-///           computed is NaN.
+/// strides   four numbers, one for each of these arrays in their order. A stride is the distance
+///           from one state to the next, counted in doubles. With a stride of 1, the array has
+///           `count` numbers. With a stride of 0, the array has one number for all states. In
+///           languages without NULL, use a negative stride instead of a NULL array. If `strides` is
+///           NULL, all strides are 1.
+/// columns   indices of the columns to compute, from raceway_column_index(). `column_count` is the
+///           number of indices. If `columns` is NULL or `column_count` is 0, all columns are
+///           computed, in their order.
+/// values    [count x columns], one column after the other. The result of state i in the j-th given
+///           column is values[j * count + i], with i and j from 0. In Fortran and MATLAB, this
+///           result is values(i, j), with i and j from 1. A result that cannot be computed is NaN.
 /// status    [count] RACEWAY_STATUS constants, or NULL if you do not need them.
 ///
-/// Returns RACEWAY_DONE if all states converged. Returns RACEWAY_WRONG_INPUT and writes no values
-/// for a required pointer that is NULL, a number out of range (the message gives its index, counted
-/// from 0), an axial load that neither the call nor the model gives, or more than 1e8 states.
-/// Returns RACEWAY_NOT_CONVERGED if the status of a state is not RACEWAY_STATUS_CONVERGED. The
-/// results of the converged states are valid. If neither the friction law nor an effect uses ball
-/// loads or angles, the torque of a bearing is computed even if the balls have no equilibrium.
+/// Returns RACEWAY_DONE if all states converged. Returns RACEWAY_NOT_CONVERGED if a state did not
+/// converge; the results of the converged states are valid. Returns RACEWAY_WRONG_INPUT and writes
+/// no values in these cases: a required pointer is NULL, a number is out of range, neither the call
+/// nor the model gives an axial load, or there are more than 1e8 states. For a number out of range,
+/// the message gives the index of the number, counted from 0. If neither the friction law nor an
+/// effect uses ball loads or angles, the torque of a bearing is computed even if the balls have no
+/// equilibrium.
 RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const double* speed_rpm,
                               const double* axial_load_N, const double* radial_load_N,
                               const double* temperature_C, const int* strides, const int* columns,
                               size_t column_count, double* values, int* status, char* message,
                               size_t message_size);
 
-/// Computes a Stribeck table: raceway_solve() at all points of a grid, with the same values in the
-/// same order as `raceway table --format plain`.
+/// Computes a Stribeck table: raceway_solve() at all points of a grid, with the same values and the
+/// same order of points as `raceway table --format plain`.
 ///
-/// speed_rpm ... temperature_C  the axes, each with its number of values. If the number of loads or
-///           temperatures is 0, the single value of the model is used. speed_rpm is required.
+/// speed_rpm ... temperature_C  the axes of the grid, each an array with its number of values. If
+///           the number of loads or temperatures is 0, the value of the model is used. speed_rpm is
+///           required.
 /// values    [speeds x axial loads x radial loads x temperatures x columns]. The speed varies
-///           fastest. The point of speed s, axial load a, radial load r and temperature t is
-///           i = ((t * radial_loads + r) * axial_loads + a) * speeds + s. The j-th given column of
-///           this point is values[j * points + i], in Fortran and MATLAB values(s, a, r, t, j).
+///           fastest. The point with the indices s, a, r and t of speed, axial load, radial load
+///           and temperature has the index
+///           i = ((t * radial_loads + r) * axial_loads + a) * speeds + s. The result of this point
+///           in the j-th given column is values[j * points + i]. All indices are counted from 0. In
+///           Fortran and MATLAB, this result is values(s, a, r, t, j), with indices from 1.
 /// status    [points] RACEWAY_STATUS constants, or NULL.
 ///
 /// Columns, return values and errors are as in raceway_solve().

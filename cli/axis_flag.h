@@ -9,20 +9,21 @@
 namespace raceway::cli {
 
 /// Parses the values of a flag: "100,300,900", "0:12000:250" (from:to:step), or both:
-/// "0,100:500:100". Throws text::InputError for other texts, for values that are equal or not in
-/// ascending order, and for a range that gives more than 1e7 values. The function does not check
-/// that the values are within `range`; it passes `range` to ask_about_thousands().
+/// "0,100:500:100". Throws text::InputError for other texts, for values that are not in ascending
+/// order, for equal values, and for more than 1e7 values. Does not reject values outside `range`:
+/// call require_all() for this check. ask_about_thousands() uses `range` to decide whether 1.200
+/// can mean 1200.
 [[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
                                        const std::string& flag);
 
 /// Flags `--speed`, `--axial-load`, `--radial-load` and `--temperature` of a command that computes
-/// many points.
+/// many operating points.
 struct AxisFlags {
   std::string speed, axial_load, radial_load, temperature;
 
   /// Declares the flags; `speed_help` is the help text of `--speed`.
   void declare(CLI::App& command, const std::string& speed_help);
-  /// Returns the values of each flag; empty if a flag is not given.
+  /// Returns the values of each flag. The list of a flag that is not given is empty.
   [[nodiscard]] session::AskedAxes asked() const;
 };
 

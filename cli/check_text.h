@@ -13,12 +13,12 @@ namespace raceway::cli {
 /// Prints the number of rows, the noise and the columns of a record, the parameters that can be
 /// fitted and the effects that can be tested.
 void print_check(const loop::Check& check, const record::Record& data);
-/// Prints for which time the settings of a row apply (from the previous row to this row, or from
-/// this row to the next row), and whether the reading of the row was taken before or after the
-/// settings changed.
+/// Prints the time interval in which the settings of a row (speed, load, feed, coolant) apply: from
+/// the previous row to this row, or from this row to the next row. Also prints whether the program
+/// assumes that readings were taken just before the settings changed.
 void print_settings_hold(record::SettingsHold hold);
-/// Prints the time steps and the noise of a record over time, the resolution of each column, and
-/// the time constants and DC gain of each published transfer function of the model.
+/// Prints the sampling interval and the noise of a displacement record, and the resolution of each
+/// column. Also prints the time constants and the DC gain of each transfer function in the model.
 void print_check(const correction::RecordCheck& check);
 /// Prints the assumptions of a model, one per line: defaults, estimates, and values that the file
 /// marks as assumed.

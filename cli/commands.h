@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-/// Subcommands of `raceway`, one file each. A setup function declares the flags of a command and
-/// returns a function of type Run. After the arguments are parsed, Run executes the command and
-/// returns the exit status.
+/// Subcommands of the program `raceway`. Each subcommand has its own source file. A setup function
+/// declares the flags of a command and returns a function of type Run. After the arguments are
+/// parsed, Run executes the command and returns the exit status.
 namespace raceway::cli {
 
 enum ExitStatus { done = 0, wrong_input = 1, not_converged = 2 };

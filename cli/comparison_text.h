@@ -11,7 +11,8 @@ namespace raceway::cli {
 /// Prints the errors of one model for each measured channel.
 void print_comparison(const std::string& model, const std::vector<verdict::Comparison>& comparisons,
                       const record::Record& data);
-/// Prints one table of errors for each channel of the first model, with one row for each model.
+/// Prints one table of errors for each measured channel of the first model. The table has one row
+/// for each model.
 void print_ladders(const std::vector<std::string>& models,
                    const std::vector<std::vector<verdict::Comparison>>& comparisons);
 

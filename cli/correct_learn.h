@@ -17,13 +17,13 @@ struct LearnFlags {
 
   /// Declares the flags.
   void declare(CLI::App& command);
-  /// Checks the flags before reading files. Throws text::InputError if another of these flags is
+  /// Checks the flags before reading files. Throws text::InputError if one of the other flags is
   /// given without --learn, if --every or --forget is not a valid duration, and if --save names a
   /// file that cannot be written.
   void check(text::IfExists if_exists) const;
 };
 
-/// Runs `correct --learn` after the files were read.
+/// Runs the command `correct --learn`. `asked` contains the correction and the record.
 void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
                   const ResultFlags& results);
 

@@ -9,21 +9,23 @@
 
 namespace raceway::cli {
 
-/// Form of the tables that a command writes: `--format csv`, `plain` or `excel`, `--separator` and
-/// `--decimal-mark`.
+/// Format of the tables that a command writes. The flags are `--format` (csv, plain or excel),
+/// `--separator` and `--decimal-mark`.
 ///
-/// `plain` and `excel` have the header in the first line. The comments and the model go to a second
-/// file: run_comments.txt for run.csv. If the table goes to stdout, comments and model are omitted.
+/// In the formats `plain` and `excel`, the first line is the header. The command then writes the
+/// comments and the text of the model to a second file, for example run_comments.txt for run.csv.
+/// If the table goes to stdout, the comments and the text of the model are omitted.
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 
-  /// Declares the flags. --format also accepts the names in `others`, and `help` describes them.
+  /// Declares the flags of this class for a command. `others` contains further formats that
+  /// --format accepts, and `help` is the help text for these formats.
   void declare(CLI::App& command, const std::vector<std::string>& others = {},
                const std::string& help = {});
   /// Throws text::InputError for `--separator` or `--decimal-mark` without `--format excel`, and if
   /// the separator equals the decimal mark.
   void check() const;
-  /// Throws text::InputError if put() could not write its files.
+  /// Throws text::InputError if put() cannot write its files.
   void require_writable(const std::string& path, text::IfExists if_exists) const;
   /// Writes to stdout if `path` is "-". Otherwise writes a file and prints "run.csv written"
   /// followed by `what`. Does nothing if `path` is empty.

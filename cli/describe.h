@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-/// Writers of shell completions and man pages. All texts are generated from the declared commands
-/// and flags, so they are always complete.
+/// Writes shell completions and man pages of the command-line program. All texts are generated from
+/// the declared commands and flags.
 namespace raceway::cli {
 
 /// Returns a completion for bash with commands, flags, files and ids of effects.

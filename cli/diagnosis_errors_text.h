@@ -6,8 +6,9 @@
 
 namespace raceway::cli {
 
-/// Returns the errors of the model without and with the effects of the verdict: bars for each
-/// channel, or one table if there are many channels. `brief` gives fewer lines and columns.
+/// Returns a text with the errors of the model without and with the effects of the verdict. The
+/// text shows bars for each measured channel, or one table if there are many channels. If `brief`
+/// is true, the text has fewer lines and columns.
 [[nodiscard]] std::string errors_text(const verdict::Diagnosis& d, bool brief);
 
 }  // namespace raceway::cli

@@ -5,10 +5,11 @@
 #include "correction/catalogue.h"
 #include "effects/effect.h"
 
-/// The catalogue of effects as text for a terminal.
+/// Prints the catalogue of effects on a terminal.
 namespace raceway::cli {
 
-/// Prints one line for each effect, even if `list` has separate entries for rig, shaft and spindle.
+/// Prints one line for each effect id. An effect may have several entries with the same id in
+/// `list`, one for each kind of model. These entries must be neighbours.
 void print_effect_list(std::span<const effects::Description> list);
 /// Prints one line for each effect on a displacement over time.
 void print_effect_list(std::span<const correction::EffectCard> cards);

@@ -14,16 +14,18 @@ namespace raceway::cli {
   return std::string(verdict::unit_of_difference(channel));
 }
 
-/// Returns an error [SI] as text in the unit error_unit(). The text does not contain the unit.
+/// Returns an error [SI] as text, in the unit that error_unit() returns. The text does not contain
+/// the unit.
 [[nodiscard]] inline std::string error_text(double error, const record::Channel& channel,
                                             int digits = 4) {
   return number(error / channel.factor, digits);
 }
 
-/// Returns the noise of the compared data and its source, or the reason why the noise is not known.
+/// Returns a text with the noise of the readings and the source of this value, or with the reason
+/// why the noise is not known.
 [[nodiscard]] std::string noise_text(const verdict::Comparison& comparison);
 
-/// If a record has at least this number of channels, their errors are printed as one table.
+/// Smallest number of measured channels for which the program prints the errors as one table.
 inline constexpr std::size_t many_channels = 3;
 
 }  // namespace raceway::cli

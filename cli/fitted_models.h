@@ -9,17 +9,17 @@
 
 namespace raceway::cli {
 
-/// Model files written by a fit: one file, or FILE-RECORD.toml for each record if parameters are
+/// Writes the model files of a fit: one file, or FILE-RECORD.toml for each record if parameters are
 /// fitted separately for each record.
 class FittedModels {
  public:
-  /// If `flags.output` is empty, write() writes no file.
+  /// If the command line has no --output (`flags.output` is empty), write() writes no file.
   explicit FittedModels(const OutputFlags& flags)
       : output_(flags.output), if_exists_(flags.if_exists()) {}
 
   /// Throws text::InputError if an output file cannot be written.
   void require_writable(const fit::Subject& subject) const;
-  /// Writes the fitted models and reports each file.
+  /// Writes the fitted models and prints the name of each file.
   void write(const session::LoopQuestion& asked, const verdict::Calibration& calibration) const;
   /// Returns the file names for messages: "a.toml" or "a-monday.toml and a-friday.toml".
   [[nodiscard]] std::string names(const fit::Subject& subject) const;

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-/// Help texts that fit the terminal, and the message for a first argument that is a file instead of
-/// a command.
+/// Help texts that fit the terminal, and a message for a user who gives a file instead of a
+/// command.
 namespace raceway::cli {
 
 /// Writes help with two columns, names and meanings, wrapped at the width of the terminal.

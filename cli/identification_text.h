@@ -11,8 +11,8 @@
 
 namespace raceway::cli {
 
-/// Unit for a table of several displacements. If all displacements have the same unit, the unit is
-/// printed above the columns. Otherwise the unit follows each number.
+/// Chooses where a table of several displacements shows the unit. If all displacements have the
+/// same unit, the unit is printed above the columns. Otherwise the unit follows each number.
 class CommonUnit {
  public:
   /// Each of the `results` has a member `displacement`.
@@ -34,7 +34,7 @@ class CommonUnit {
   std::string head_{};
 };
 
-/// Prints the line on the trust in a correction.
+/// Prints a line that says whether and in which range a correction can be used (trust).
 void print_trust(const record::Channel& displacement, const correction::Trust& trust);
 
 /// Prints the error measures that papers use in addition to the RMS error and Metrics::fit_percent:

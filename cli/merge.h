@@ -14,7 +14,7 @@ namespace raceway::cli {
 [[nodiscard]] friction::TableSlab slab_of(const std::string& text);
 
 /// Joins the files of `table --slab` to one table, for `table --merge`. The result equals the table
-/// from a single run.
+/// that the command writes without `--slab`.
 void merge_slabs(const std::vector<std::string>& slabs, const std::string& output,
                  const CsvStyle& csv, text::IfExists if_exists);
 

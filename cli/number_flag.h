@@ -19,8 +19,8 @@ using text::speed_range;
 using text::temperature_range;
 
 /// Declares a flag with one number in a range. `value` is unchanged if the flag is not given.
-/// Parsing throws text::InputError for a text that is not a number and for a number outside the
-/// range.
+/// When the command line is parsed, text::InputError is thrown for a text that is not a number and
+/// for a number outside the range.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 

@@ -15,51 +15,56 @@
 
 namespace raceway::cli {
 
-/// One file that a command writes: `-o FILE` and `--force`.
+/// Flags `-o FILE` and `--force` for one file that a command writes.
 struct OutputFlags {
   std::string output;
   bool force = false;
-  std::string force_flag = "--force";  ///< `--replace` if `--force` gives a load
+  /// Name of the flag that permits the command to replace an existing file. The name is `--replace`
+  /// in commands in which `--force` sets a load.
+  std::string force_flag = "--force";
 
   /// Declares `-o`.
   CLI::Option* declare_output(CLI::App& command, const std::string& help);
   /// Declares `--force`.
   void declare_force(CLI::App& command, const std::string& help = "replace the file if it exists");
-  /// Returns the action for an output file that already exists.
+  /// Returns what to do if the output file already exists: replace it or throw an error.
   [[nodiscard]] text::IfExists if_exists() const;
   [[nodiscard]] bool to_file() const { return !output.empty() && output != "-"; }
-  /// Throws text::InputError if the file cannot be written. Call it before a long calculation.
+  /// Throws text::InputError if the file cannot be written. Call this function before a long
+  /// calculation.
   void require_writable() const;
-  /// Throws text::InputError for `-o -`. `shows` names the output that the command prints to
-  /// stdout.
+  /// Throws text::InputError for `-o -`, because the command prints another output to stdout.
+  /// `shows` names this other output.
   void refuse_stdout(const std::string& command, const std::string& shows) const;
-  /// Writes a model and prints "my.toml written". File names in the model become relative to the
-  /// folder of the new file. Does nothing if no output is given.
+  /// Writes a model to the file `output`, such as my.toml, and prints "my.toml written". File names
+  /// in the model become relative to the folder of this file. Does nothing without `-o`.
   void put_model(const std::string& text, const std::vector<files::NamedFile>& named) const;
-  /// Writes the text, and prints "my.toml written" followed by `what`. Prints the text if no file
-  /// is given.
+  /// Writes the text to the file `output`, such as my.toml, and prints "my.toml written" and the
+  /// text `what`. Without `-o`, prints the text.
   void put(const std::string& text, const std::string& what = {}) const;
 };
 
-/// Flags for the results of a command: a table (`-o FILE`, with the form in `csv`), a JSON
-/// document, or a page. Without these flags, the command prints text.
+/// Flags for the results of a command: a table (`-o FILE`), a JSON document (`--json`), or an HTML
+/// page (`--report`). Without these flags, the command prints text.
 struct ResultFlags : OutputFlags {
   CsvStyle csv;
   bool json = false;
   ReportFlag report;
 
   /// Declares `--format`, `--separator`, `--decimal-mark`, `--force`, `--json` and `--report`.
-  /// --format also accepts the names in `forms`, and `help` describes them.
+  /// The flag --format also accepts the names in the list `forms`, and `help` is the help text for
+  /// these names.
   void declare_results(CLI::App& command, const std::vector<std::string>& forms = {},
                        const std::string& help = {});
   /// Throws text::InputError if the table and the JSON document would both go to stdout, or if a
   /// file cannot be written.
   void check_results(const std::string& command) const;
-  /// Writes the table if it was requested, and prints "run.csv written" followed by `what`.
+  /// Writes the table if it was requested, and prints "run.csv written" and the text `what`.
   void put_table(const std::function<std::string()>& table, const std::string& what) const;
-  /// Writes the page if it was requested.
+  /// Writes the HTML page if it was requested.
   void put_page(const std::function<std::string()>& page) const { report.write(page, if_exists()); }
-  /// Writes the page of an answer, prints its messages and returns the exit status.
+  /// Ends a command whose result is `found`: writes the HTML page if it was requested, prints notes
+  /// and warnings, and returns the exit status of the program.
   template <typename Answer>
   int finish(const Answer& found) const {
     put_page([&] { return found.page(); });

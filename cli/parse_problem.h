@@ -8,16 +8,18 @@
 namespace raceway::cli {
 
 struct FlagProblem {
-  std::string flag, what;  ///< `what` is the message; it also contains the flag
+  std::string flag, what;  ///< name of the flag, and the error message (`what`)
 };
 
-/// Finds the first error in the flags of a command: a flag is unknown (the message suggests a
-/// similar one), is given twice, or has no value. Call it before parsing. For a misspelt required
-/// flag, the parser would only report that the required flag is missing.
+/// Finds the first error in the flags of a command: a flag is unknown, is given twice, or has no
+/// value. For an unknown flag, the message suggests a similar flag. Call this function before the
+/// command line is parsed. If a required flag is misspelt, the parser only reports that the flag is
+/// missing.
 [[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
                                                       std::span<char* const> arguments);
 
-/// Returns the required argument or flag that parsing did not find; empty if none is missing.
+/// Returns the name of a required argument or flag that is missing in the parsed command line;
+/// empty if none is missing.
 [[nodiscard]] std::string missing_name(const CLI::App& command);
 
 }  // namespace raceway::cli

@@ -5,19 +5,19 @@
 #include <string>
 #include <string_view>
 
-/// Process control: standard streams, signals, time limit.
+/// Controls the standard streams, the stop signals and the time limit of the process.
 namespace raceway::cli {
 
 /// Prepares the standard streams and the stop signals of the process. Call start_process() before
-/// all other functions. Output to a closed standard stream then fails; without this call, the next
-/// opened file would take the place of the stream. On a stop signal (Ctrl-C, kill, a closed
-/// terminal) that is not ignored, the process removes unfinished files, lists the complete files on
-/// stderr, and ends with this signal. If a file reaches the size limit of the process, the program
-/// reports an error as for a full disk.
+/// all other functions. If stdout or stderr is closed at the start, output to this stream fails
+/// after this call. Without this call, such output would go into the file that the program opens
+/// next. On a stop signal (Ctrl-C, kill, a closed terminal) that is not ignored, the process
+/// removes unfinished files, lists the complete files on stderr, and ends with this signal. If a
+/// file reaches the size limit of the process, the program reports an error as for a full disk.
 void start_process();
 
-/// Sets a flag at the first Ctrl-C, or when `seconds` [s] have passed. While an InterruptFlag
-/// exists, the first Ctrl-C does not end the process.
+/// Sets the flag raised() at the first Ctrl-C, or when `seconds` [s] have passed. While an
+/// InterruptFlag exists, the first Ctrl-C does not end the process.
 class InterruptFlag {
  public:
   explicit InterruptFlag(double seconds);
@@ -37,7 +37,7 @@ class InterruptFlag {
 void write_message(std::string_view text);
 
 /// Flushes stdout at the end of a run, to detect a full disk or a closed pipe. Returns the error
-/// message, or an empty text.
+/// message, or an empty text without an error.
 [[nodiscard]] std::string stdout_problem();
 
 /// Returns the message of stdout_problem() for an error number of the system (errno).

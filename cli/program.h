@@ -8,13 +8,13 @@
 
 namespace raceway::cli {
 
-/// Exception that ends a run before there is a result.
+/// Exception that ends the program without a result, for example because of a wrong flag.
 struct Refusal {
   std::string message;
   text::Place place = {};
 };
 
-/// Commands with their flags, and the functions that run them.
+/// Commands of the program with their flags, and the functions that run the commands.
 class Program {
  public:
   Program();
@@ -24,8 +24,8 @@ class Program {
   /// Returns the command with this name; throws Refusal if there is none.
   [[nodiscard]] const CLI::App& command(const std::string& name) const;
 
-  /// Runs the program and returns the exit status. Throws Refusal, text::InputError and the
-  /// exceptions of the libraries.
+  /// Runs the program and returns the exit status. Throws Refusal, text::InputError, and exceptions
+  /// of the functions that the command calls.
   int run(int argc, char** argv);
 
  private:

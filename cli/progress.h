@@ -7,9 +7,9 @@
 
 namespace raceway::cli {
 
-/// Returns `[####......] 42 % 12 s left step` in at most `width` characters. `share` is the
-/// finished share of the work, 0 to 1. The remaining time follows from `share` and `elapsed` [s].
-/// At the beginning, the remaining time is omitted.
+/// Returns a line such as `[####......] 42 % 12 s left step` in at most `width` characters. `share`
+/// is the finished share of the work, from 0 to 1. `step` names the current step. The remaining
+/// time follows from `share` and `elapsed` [s]. At the beginning, the remaining time is omitted.
 [[nodiscard]] std::string progress_line(double share, double elapsed, std::string_view step,
                                         std::size_t width);
 
@@ -22,7 +22,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows the finished share of the work; 1 means that all work is done, including files.
+  /// Shows the finished share of the work; 1 means that the results are calculated and written.
   void show(double share, std::string_view step = {});
 
  private:

@@ -14,9 +14,8 @@ namespace raceway::cli {
 /// Prints a bearing at one operating point: balls, stiffness, pressures, friction, life.
 void print_state(const model::Model& model, const bearing::OperatingPoint& point,
                  const session::PointAnswer& answer);
-/// Prints the friction torque, the power loss, and the contributions to the torque on one line
-/// each. The line of the first contribution also contains the heat of the inner ring, and the next
-/// line the heat of the outer ring.
+/// Prints the friction torque, the contributions to the torque, the power loss, and the heat into
+/// inner and outer ring.
 void print_torque(const model::Model& model, const model::FrictionPrediction& friction,
                   const friction::HeatSplit& heat);
 

@@ -10,8 +10,8 @@
 
 namespace raceway::cli {
 
-/// Flags `--correction FILE`, `--law`, `--lags` and `--programme`: the correction from step
-/// responses, and its comparison with the full simulation.
+/// Flags `--correction FILE`, `--law`, `--lags` and `--programme`. With these flags, the command
+/// makes a correction from step responses, and compares the correction with the full simulation.
 struct StepCorrectionFlags {
   std::string file, programme, law = "curve", lags = "auto";
 
@@ -19,13 +19,13 @@ struct StepCorrectionFlags {
   /// Throws text::InputError for `--programme` without `--correction` or without a model, and for
   /// `--correction -`. `has_model` is true if the command line names a model.
   void check(bool has_model) const;
-  /// Throws text::InputError if write() could not write the correction or its tables.
+  /// Throws text::InputError if the correction file or one of its CSV tables cannot be written.
   void require_writable(text::IfExists if_exists,
                         const std::vector<std::string>& load_channels) const;
-  /// Writes the correction and its tables, if they were requested.
+  /// Writes the correction file and its CSV tables; does nothing without `--correction`.
   void write(const session::SpindleSteps& steps, bool replace) const;
-  /// Compares the written correction with the simulation of the speed programme in `programme`.
-  /// Returns nothing if `programme` is empty.
+  /// Compares the written correction with the simulation of the speed programme in the file
+  /// `programme`. Returns nothing if `programme` is empty.
   [[nodiscard]] std::optional<results::Superposition> superposition(
       const session::SpindleSteps& steps) const;
 };

@@ -4,8 +4,8 @@
 
 namespace raceway::cli {
 
-/// Prints step responses, one row each, and the laws of gain K(P) and time constant T(P) over the
-/// power P.
+/// Prints a table of step responses with one row for each response. Also prints the fitted formulas
+/// for the gain K(P) and the time constant T(P) as functions of the power P.
 void print_steps(const session::SpindleSteps& steps);
 
 }  // namespace raceway::cli

@@ -7,9 +7,10 @@
 namespace raceway::cli {
 
 /// Returns a bar of '#' whose length is proportional to value/full, with at most `width`
-/// characters; empty if `full` is not positive and finite. A positive value has at least one '#'. A
-/// `mark` up to `full`, such as the noise or a threshold, is a '|' in the bar or after its end. A
-/// `second` mark, for the tolerance, is a ':' and replaces a '|' at the same place.
+/// characters. A positive value has at least one '#'. `mark` is a value on the same scale, such as
+/// the noise, and is drawn as '|'. `second` is another such value, for example the tolerance, and
+/// is drawn as ':'. If `mark` and `second` have the same place, only ':' is drawn. A mark outside 0
+/// to `full` is not drawn. The text is empty if `full` is not positive and finite.
 [[nodiscard]] std::string bar(double value, double full, std::size_t width, double mark = -1.0,
                               double second = -1.0);
 
@@ -19,7 +20,7 @@ namespace raceway::cli {
 
 enum class Colour { good, bad, strong };
 
-/// Returns the text in a colour if stdout shows colours; otherwise the text unchanged.
+/// Returns the text in a colour if stdout shows colours. Otherwise, the text is unchanged.
 [[nodiscard]] std::string in_colour(std::string_view text, Colour colour);
 
 }  // namespace raceway::cli

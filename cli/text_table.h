@@ -8,14 +8,14 @@
 
 namespace raceway::cli {
 
-/// A plain table for readers: right-aligned columns of text below a header and a line of units.
-/// Columns that do not fit the width follow in further blocks, which repeat the first column.
+/// Table for the terminal: right-aligned columns of text below a header and a line of units.
+/// Columns that do not fit the width follow in further blocks. Each block repeats the first column.
 class TextTable {
  public:
   struct Column {
     std::string name;
     std::string unit;
-    bool left = false;   ///< true: the cells are left-aligned, for words
+    bool left = false;   ///< true: the cells are left-aligned, as for words
     bool wraps = false;  ///< true: long text in the last column is broken into lines
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
@@ -24,7 +24,8 @@ class TextTable {
 
  private:
   [[nodiscard]] std::vector<std::size_t> widths() const;
-  /// Breaks the last column into lines that fit `width`, each in a separate row.
+  /// Breaks the text of the last column into lines, so that the table fits `width`. Each line is a
+  /// separate row.
   [[nodiscard]] TextTable wrapped(std::size_t width) const;
 
   std::vector<Column> columns_;
@@ -37,8 +38,9 @@ class TextTable {
 
 using text::number;
 
-/// Returns a value with the same number of decimals as number() gives for `scale`, so that a reader
-/// can compare both. Never returns "-0.0". `sign` adds + before positive values.
+/// Returns `value` as text. The text has as many decimals as number() gives the value `scale`, so
+/// that a reader can compare both values. A value that is rounded to zero has no minus sign. If
+/// `sign` is true, a positive value begins with +.
 [[nodiscard]] std::string beside(double value, double scale, int digits, bool sign);
 
 /// Returns the number of columns of the terminal on stdout or on another stream; 80 if the stream

@@ -8,10 +8,10 @@
 
 /// Writes corrections as programs and tables for a control on which raceway is not installed.
 ///
-/// If all inputs are valid and within the ranges of the models, the programs compute the same
-/// displacements as `correct`, except for the differences in ControlPlan::notes. All programs
-/// report faults with the same flags: see docs/control.md. `name` is the name of the exported file
-/// without extension, as an identifier of the target language.
+/// If all inputs are valid and within the ranges of the training data, the programs compute the
+/// same displacements as `correct`, except for the differences that ControlPlan::notes lists. All
+/// programs report faults with the same flags: see docs/control.md. `name` is the name of the
+/// exported file without extension. The name must be a valid identifier of the target language.
 namespace raceway::control {
 
 /// Returns a program for Python 2.7 and 3. The program needs only the standard library.
@@ -23,16 +23,17 @@ namespace raceway::control {
 /// Returns a Python component for HAL, the hardware abstraction layer of LinuxCNC.
 [[nodiscard]] std::string control_linuxcnc(const ControlPlan& plan);
 
-/// Returns the HAL commands that load the component `name` from the file `program` and connect it
-/// to the axes. Throws InputError if an axis has no letter.
+/// Returns the HAL commands that load the component `name` from the file `program` and connect the
+/// component to the machine axes. Throws InputError if the plan has no axis letter, such as z, for
+/// a displacement.
 [[nodiscard]] std::string control_hal(const ControlPlan& plan, std::string_view name,
                                       std::string_view program);
-/// Returns the HAL commands that move the offsets back to 0 before LinuxCNC ends.
+/// Returns the HAL commands that move the axis offsets back to 0 before LinuxCNC ends.
 [[nodiscard]] std::string control_hal_shutdown(const ControlPlan& plan, std::string_view name,
                                                std::string_view program);
 
-/// Returns the table of coefficients (CSV): one number per row, with its unit and the part of the
-/// correction that uses it.
+/// Returns the table of coefficients (CSV): each row contains a number, its unit, and the name of
+/// the part of the correction that uses the number.
 [[nodiscard]] std::string control_csv(const ControlPlan& plan);
 
 }  // namespace raceway::control

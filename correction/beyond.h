@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-/// Extrapolates laws beyond the input range of the fit.
+/// Extrapolates formulas beyond the input range of the data to which they were fitted.
 namespace raceway::correction {
 
 struct Interval {
@@ -15,14 +15,17 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// Evaluates a law y(x) at x. Within the range `seen` of the fit, the result is the law. Beyond
-/// this range, the result changes no faster than the tangent at the edge of the range:
+/// Evaluates a formula y(x). Inside `seen`, the range of x in the data of the fit, the result is
+/// y(x). Outside this range, the result is y(e) plus one of the two changes below, the one with the
+/// smaller absolute value. e is the end of the range next to x.
 ///
-///   y(edge) + the smaller change of   law(x) - y(edge)   and   y'(edge) (x - edge)
+///   y(x) - y(e)      change of the formula
+///   y'(e) (x - e)    change along the tangent at e
 ///
-/// If the two changes have different signs, the value at the edge is used. The result lies between
-/// the value at the edge and the law, so it is positive if the law is positive.
-/// Accuracy: the slope y'(edge) is a finite difference over a millionth of the range.
+/// If the two changes have different signs, the result is y(e). The result always lies between y(e)
+/// and y(x), so a positive y gives a positive result.
+/// Accuracy: the slope y'(e) is a finite difference. Its step is a millionth of the width of the
+///           range.
 template <typename Law>
 [[nodiscard]] double continued(const Law& law, const Interval& seen, double x) {
   if (!(x < seen.lower) && !(x > seen.upper)) return law(x);

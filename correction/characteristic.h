@@ -19,8 +19,8 @@ class Characteristic {
   struct Power {
     double factor, exponent;
   };
-  /// Linear interpolation between points with rising x. Outside the points, the value of the
-  /// nearest point is used.
+  /// Linear interpolation between points with rising x. Below the first and above the last point,
+  /// the value is constant.
   struct Table {
     std::vector<double> input, value;
   };
@@ -33,10 +33,9 @@ class Characteristic {
   Characteristic(Table table);
 
   [[nodiscard]] double operator()(double input) const;
-  /// Returns the range of x around 0 in which the value is positive, including `lower` and
-  /// excluding `upper`. A limit is infinite if the value remains positive on that side. For a power
-  /// law with a positive factor, `lower` is 0. If the value of a line or a table at 0, or the
-  /// factor of a power law, is not positive, both limits are 0.
+  /// Returns the range of x around 0 in which the value is positive. The range includes `lower` and
+  /// excludes `upper`. A limit is infinite if the value remains positive on that side. The range of
+  /// a power law starts at 0. If there is no such range, both limits are 0.
   [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 

@@ -6,10 +6,12 @@
 #include <vector>
 
 /// Settings for a correction that runs on a machine control, from the table [export] of a model
-/// file: see docs/control.md.
+/// file: see docs/control.md. The offset is the correction value by which the control moves an
+/// axis.
 namespace raceway::correction {
 
-/// A setting with one value for all inputs or axes, and exceptions for some columns.
+/// Setting of inputs or axes. `columns` contains values for single columns; the value `all` is for
+/// other columns.
 template <typename T>
 struct ByColumn {
   T all{};
@@ -34,48 +36,51 @@ struct ControlLimits {
 /// Settings in the units of the model file: um (urad for an angle) and s. Limits of an input have
 /// the unit of its column.
 struct ControlSettings {
-  // Settings of axes, by the column of their displacement.
+  // Settings of axes. An entry in `columns` names the displacement column of the axis.
   ByColumn<double> limit_um{100.0};  ///< largest absolute value of the offset
   ByColumn<double> slew_um_s{1.0};   ///< largest rate of change of the offset
-  /// offset = sign * displacement; -1 moves the axis against the displacement
+  /// Factor from displacement to offset; with -1, the offset moves the axis against the
+  /// displacement.
   ByColumn<double> sign{-1.0};
-  /// Unit of the output: "um", "mm", "counts"; for an angle "urad", "mrad", "rad", "deg", "counts".
+  /// Unit of the offset that the program outputs: "um", "mm", "counts"; for an angle "urad",
+  /// "mrad", "rad", "deg", "counts".
   ByColumn<std::string> unit{"um"};
-  ByColumn<double> count_um{0.1};  ///< size of one count of the output
-  /// Letter of the axis. If it is empty, the column gives the letter: z for displacement_z_um.
+  ByColumn<double> count_um{0.1};  ///< size of one count if the offset is output in counts
+  /// Letter of the axis. If the text is empty, the letter is taken from the column name: z for
+  /// displacement_z_um.
   ByColumn<std::string> axis{};
-  // Settings of inputs, by their column.
-  /// Plausible range of an input. `all` applies to temperatures only. For another input that
-  /// `columns` does not name, the limit is 10 times its largest absolute value in the data of the
-  /// fit; coolant_on has no limit.
-  ByColumn<ControlLimits> plausible{
-      {-40.0, 150.0}, {}};  ///< `all`: limits of temperatures that `columns` does not name [°C]
-  /// Largest allowed change of an input per second; 0: not checked. `all` applies to temperatures
-  /// only. Other inputs are checked only if `columns` names them.
+  // Settings of inputs. An entry in `columns` names the column of the input.
+  /// Plausible range of an input. The value `all` is for temperatures. For any other input without
+  /// an entry in `columns`, the limit is 10 times its largest absolute value in the data of the
+  /// fit. The input coolant_on has no limit. Limits of temperatures are in °C.
+  ByColumn<ControlLimits> plausible{{-40.0, 150.0}, {}};
+  /// Largest allowed change of an input per second; 0: not checked. The value `all` is for
+  /// temperatures. Other inputs are checked if they have an entry in `columns`.
   ByColumn<double> fastest_per_s{1.0};
-  /// Longest allowed time without a change of an input [s]; 0: not checked. `all` applies to
-  /// temperatures only. Other inputs are checked only if `columns` names them.
+  /// Longest allowed time without a change of an input [s]; 0: not checked. The value `all` is for
+  /// temperatures. Other inputs are checked if they have an entry in `columns`.
   ByColumn<double> stuck_s{3600.0};
-  /// Time constant of a filter on an input [s]; 0: no filter. Only contributions without a lag use
-  /// the filtered input.
+  /// Time constant of a filter on an input [s]; 0: no filter. The filtered input is used for
+  /// contributions without a lag. Lags use the unfiltered input.
   ByColumn<double> smoothing_s{0.0};
   // Settings of all axes and inputs.
-  /// Reaction to a fault that lasts longer than `hold_s`: the model uses the last good input
-  /// ("hold"), or the offset moves to the last offset from good inputs ("last-safe") or to 0
-  /// ("zero").
+  /// Reaction to a fault of an input that lasts longer than `hold_s` [s]. "hold": the model uses
+  /// the last good input. "last-safe": the offset moves to the last offset from good inputs.
+  /// "zero": the offset moves to 0.
   std::string on_fault = "last-safe";
   double hold_s = 60.0, fade_s = 300.0;
   double longest_gap_s = 10.0, clock_jump_s = 1800.0;
-  /// State of the lags after a time in which the control was off: simulated for this time with
-  /// speeds, feeds and powers of 0 ("decay"), unchanged ("resume"), or zero ("rest").
+  /// State of the lags after the control was off. "decay": the program simulates the off time with
+  /// speeds, feeds and powers of 0. "resume": the state is unchanged. "rest": the state is zero.
   std::string restart = "decay";
-  /// Applied offsets when a new datum is set: they become part of the datum ("keep"), or the
-  /// control removes them ("clear").
+  /// Treatment of the applied offsets when a new datum (touch-off) is set. "keep": the offsets
+  /// become part of the datum. "clear": the control removes the offsets.
   std::string touch_off = "keep";
-  /// Offsets while the correction is disabled: they move to 0 ("zero") or stay constant ("freeze").
+  /// Offsets while the correction is disabled. "zero": the offsets move to 0. "freeze": the offsets
+  /// stay constant.
   std::string disabled = "zero";
-  /// Response of lags to inputs beyond the range of the fit: linear in the input ("linear"),
-  /// or as for an input at the limit of the range ("hold").
+  /// Response of lags to an input beyond the range of the fit. "linear": the response is linear in
+  /// the input. "hold": the input is limited to the range.
   std::string beyond_range = "linear";
 };
 

@@ -11,7 +11,7 @@
 
 namespace raceway::correction {
 
-/// Correction model of one displacement, in the form that calibrate(), diagnose() and add() fit.
+/// Correction model of one displacement, as the input of calibrate(), diagnose() and add().
 class CorrectionSubject : public fit::Subject {
  public:
   explicit CorrectionSubject(Model model);
@@ -26,13 +26,14 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// Returns the subject prepared for a fit to this record: with limits for the time constants, the
-  /// list of input columns that vary, and the additional unknowns of the fit (see Beginning). The
-  /// input ranges, covariance, residual and held-out error of an earlier fit are removed.
+  /// Returns a copy that is prepared for a fit to this record. The copy contains limits for the
+  /// time constants, the list of input columns that vary, and the additional unknowns of the fit
+  /// (see Beginning). The results of an earlier fit are removed: input ranges, covariance, residual
+  /// and held-out error.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
 
-  /// Copies the input ranges of `model`, which informed_by() removes. Call this function to apply
-  /// the fitted parameters of `model` to another record.
+  /// Copies the input ranges of `model` to this object. Call this function if a fitted model is
+  /// applied to another record, because informed_by() removes the ranges.
   void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
@@ -46,26 +47,29 @@ class CorrectionSubject : public fit::Subject {
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   /// Returns the full id, such as "second-time-constant:ambient", of the effect that the user
-  /// named. The user may omit the channel or column after the colon if only one possible effect has
-  /// this id. The full id omits the name of the first channel, but the user may write it. Unknown
-  /// ids are returned unchanged. Throws std::invalid_argument if several effects match. Call this
-  /// function on the result of informed_by().
+  /// named. The user may omit the name of the channel or column after the colon if only one
+  /// possible effect has the id before the colon. The full id of an effect on the first channel
+  /// does not contain the name of this channel, but the user may add it. Unknown ids are returned
+  /// unchanged. Throws std::invalid_argument if several effects match. Call this function on the
+  /// result of informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
   /// Returns the possible faults of the record: exchanged columns, a loose sensor, and a sensor
   /// with coarse resolution (see correction/effects/). Call this function on a fitted model.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
-  /// Returns the parts of the record that a test of the prediction holds out: eight consecutive
-  /// parts with equal numbers of readings, or an empty list for fewer than 16 readings. If the
-  /// record has several runs and an input varies mainly in one part, each run is split into eight
-  /// parts instead. A part that contains nearly all variation of an input is never held out, nor is
-  /// the first part if `initial_state` is "free".
+  /// Returns a division of the record into parts. Each part is held out once to test the
+  /// prediction. The parts are eight consecutive blocks with equal numbers of readings. If one part
+  /// contains nearly all variation of an input and the record has several runs, each run is divided
+  /// into eight blocks instead; part k then consists of block k of every run. A part that contains
+  /// nearly all variation of an input is never held out. If `initial_state` is "free", the first
+  /// part is never held out. The list is empty for fewer than 16 readings.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// Fitted unknown of the record that is not a parameter of the model: the zero of a later run or
-  /// setup, or the initial state of a lag if `initial_state` is "free".
+  /// Unknown of a record that is fitted together with the parameters of the model: the zero of the
+  /// readings (constant offset) in a run or setup after the first or, if `initial_state` is "free",
+  /// the initial state of a lag.
   struct Beginning {
     fit::Parameter parameter{};
-    int zero = 0;  ///< index of the zero; unused for an initial state
+    int zero = 0;  ///< value in Series::zero(); unused for an initial state
     std::size_t channel = 0, section = 0;
     bool is_state = false;
   };

@@ -22,21 +22,26 @@ struct EffectCard {
   std::string_view confused;  ///< effects with a similar influence on the displacement
   /// Parameters in the units of the model file. The unit "um/u" means um per unit of the input.
   std::span<const record::NumberCard> numbers;
-  std::size_t size = 0;  ///< index of the parameter whose neutral value switches the effect off
-  /// True: the effect changes the response of a channel; false: it adds to the displacement.
+  /// Index of the size parameter in `numbers`. The effect is off if this parameter has its neutral
+  /// value.
+  std::size_t size = 0;
+  /// True if the effect changes the response of a channel to its input (a channel is a contribution
+  /// to the displacement that one input drives). Otherwise the effect adds its own contribution.
   bool of_channel = false;
-  bool at_channel = false;  ///< true: `Effect::where` names a channel; "" is the first channel
-  /// True if full_id() contains a column: the column that drives the effect or limits its window.
+  /// True: the effect acts on the channel in `Effect::where` ("": the first channel).
+  bool at_channel = false;
+  /// True if full_id() contains the name of a column. The column is the input of the effect, or the
+  /// axis position that limits the effect to a window.
   bool by_column = false;
-  bool by_window = false;   ///< true: the effect may be limited to a range of an axis position
-  bool of_reading = false;  ///< true: valid only for the record of the fit, not for a control
-  /// True for a fault that faults() finds in the record. Such an effect has no parameter, and a
-  /// model never contains it.
+  bool by_window = false;   ///< true: the effect can be limited to a range of an axis position
+  bool of_reading = false;  ///< true: the effect is valid only for the record of the fit
+  /// True for a fault of the record, such as a loose sensor. faults() finds such faults. Such a
+  /// fault has no parameters, and a model never contains it.
   bool evidence = false;
   bool needs_input = false;  ///< true: a model file must name the columns of the effect
 };
 
-/// Model and record properties that determine on which channels and columns effects can act.
+/// Properties of a model and a record that determine on which channels and columns effects can act.
 struct Surroundings {
   const Model& model;
   std::span<const Channel* const> varying{};  ///< input columns that vary in the record
@@ -45,12 +50,12 @@ struct Surroundings {
   double end = 0.0;                           ///< time 1 s after the last row of the record [s]
 
   [[nodiscard]] bool varies(const Channel& column) const;
-  /// Returns true if the first channel has lags that an effect can change.
+  /// Returns true if the first channel has first-order lags.
   [[nodiscard]] bool first_channel_lags() const {
     return !model.channels.empty() && !model.channels.front().sections.empty();
   }
-  /// Returns the value of Effect::where for an effect on this channel: its name, or an empty text
-  /// for the first channel.
+  /// Returns the value of Effect::where for an effect on this channel. The value is the name of the
+  /// channel, or an empty string for the first channel.
   [[nodiscard]] std::string where(const DrivenChannel& channel) const {
     return &channel == &model.channels.front() ? std::string() : channel.name;
   }
@@ -77,11 +82,11 @@ class EffectKind {
 
   [[nodiscard]] virtual const EffectCard& card() const = 0;
 
-  /// Returns the effects of this kind that the record allows, one for each possible channel, column
-  /// or window, with initial values. Default: none.
+  /// Returns the effects of this kind that can act in the record, with initial values: one effect
+  /// for each possible channel, column or window. The default is an empty list.
   [[nodiscard]] virtual std::vector<Effect> possible(const Surroundings& in) const;
-  /// Returns the values to which a fit restricts a parameter. An empty result means all values
-  /// within its bounds.
+  /// Returns the only values that a fit may give to a parameter. If the list is empty, the fit may
+  /// use all values within the bounds.
   [[nodiscard]] virtual std::vector<double> choices(std::size_t number,
                                                     const Surroundings& in) const;
 
@@ -91,34 +96,34 @@ class EffectKind {
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
   /// Returns true if the contribution of the effect is proportional to this parameter.
   [[nodiscard]] virtual bool is_proportional(std::size_t number) const;
-  /// Returns the bounds of a parameter. The bounds of a time constant also lie within `limits`, the
-  /// range that the record can determine.
+  /// Returns the bounds of a parameter. `limits` is the range of time constants that the record can
+  /// determine; the bounds of a time constant lie within this range.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
-  /// Returns the key of a parameter in a model file, such as "gain_um_K", for a displacement that
-  /// is a length. key_of() also handles angles.
+  /// Returns the key of a parameter in a model file, such as "gain_um_K", for a displacement in um.
+  /// For an angle, use key_of().
   [[nodiscard]] virtual std::string key(const Effect& effect, std::size_t number,
                                         const Model& model) const;
 
-  /// Returns the input of the effect: its columns, or the input of the channel on which the effect
-  /// acts if the effect has no columns.
+  /// Returns the input of the effect, which is the mean of its columns. If the effect has no
+  /// columns, the result is the input of the channel on which the effect acts.
   [[nodiscard]] virtual Input input(const Effect& effect, const Model& model) const;
   /// Returns the columns that the effect needs in addition to its input.
   [[nodiscard]] virtual std::vector<const Channel*> other_columns(const Effect& effect) const;
 
-  /// Returns the faults, such as a loose sensor, that this kind of effect finds in the record.
-  /// Default: none.
+  /// Returns the faults that this kind of effect finds in the record, such as a loose sensor. The
+  /// default is an empty list.
   [[nodiscard]] virtual std::vector<fit::Fault> faults(const FittedRecord& in) const;
 
-  /// Returns the contribution of the effect to the displacement. Default: none.
+  /// Returns the contribution of the effect to the displacement. The default is no contribution.
   [[nodiscard]] virtual Share share(const Effect& effect, const Model& model) const;
-  /// Writes to `answer` the changes that the effect makes to the lags of its channel. Default: no
-  /// change.
+  /// Writes to `answer` the changes that the effect makes to the lags of its channel. The default
+  /// is no change.
   virtual void change(const Effect& effect, const Model& model, Answer& answer) const;
 
  protected:
-  /// Returns an effect of this kind with its initial values, on this channel or axis and with these
-  /// columns.
+  /// Returns an effect of this kind with initial values. `where` is the channel or axis of the
+  /// effect, and `columns` are its input columns.
   [[nodiscard]] Effect at(std::string where = {}, std::vector<const Channel*> columns = {}) const;
 };
 
@@ -134,12 +139,12 @@ class EffectKind {
 [[nodiscard]] DrivenShare lag_of_input(const EffectKind& kind, const Effect& effect,
                                        const Model& model);
 
-/// Returns the kind of an effect: the kind with its id in the catalogue, or the user-defined
-/// effect. Throws std::logic_error for an unknown id.
+/// Returns the kind of an effect. This is an entry of the catalogue or a user-defined effect.
+/// Throws std::logic_error for an unknown id.
 [[nodiscard]] const EffectKind& kind_of(const Effect& effect);
 [[nodiscard]] const EffectCard& card_of(const Effect& effect);
 
-/// Returns the value of an effect's parameter in the unit of its card. Throws std::logic_error if
+/// Returns the value of an effect's parameter in the unit of `number`. Throws std::logic_error if
 /// the effect has no such parameter.
 [[nodiscard]] double value_of(const Effect& effect, const record::NumberCard& number);
 

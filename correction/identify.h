@@ -14,8 +14,9 @@ namespace raceway::correction {
 
 struct IdentifyOptions {
   int lowest_order = 1, highest_order = 3;  ///< limits for the number of lags in a channel
-  /// Record columns that may drive additional channels. A channel is added only if it lowers the
-  /// held-out error by more than 5 %, a lag only if it lowers this error by more than 3 %.
+  /// Record columns that may drive additional channels. A channel is added if it lowers the
+  /// held-out error by more than 5 %. A lag is added to a channel if it lowers the held-out error
+  /// by more than 3 %.
   std::vector<const Channel*> offered{};
   std::size_t most_channels = 6;
   std::function<void(double share, std::string_view step)> progress{};
@@ -25,23 +26,31 @@ struct IdentifyOptions {
 /// A model structure (channels and their numbers of lags) that identify() tried, and its errors.
 struct StructureTried {
   std::vector<std::string> channels{};
-  std::vector<int> orders{};                 ///< number of lags in each channel
-  double rms_held_out = unset, rms = unset;  ///< rms errors on held-out parts and of the fit [m]
+  std::vector<int> orders{};  ///< number of lags in each channel
+  /// `rms_held_out` is the rms error on held-out parts of the record, and `rms` is the rms residual
+  /// of the fit [m].
+  double rms_held_out = unset, rms = unset;
   bool taken = false;
 };
 
 /// Error of a fit to the first part of a record, tested on all later readings.
 struct AheadError {
-  double from = unset;  ///< end of the fitted part, counted from the first row [s]
+  double from = unset;  ///< duration of the first part, to which the model is fitted [s]
   double rms = unset;   ///< rms error on the later readings [m]
 };
 
-/// Ridge strength λ and speed weight s that identify_lag_bank() tried: see lag_bank.h.
+/// Ridge strength λ and speed weight s that identify_lag_bank() tried. lag_bank.h explains both
+/// numbers.
 struct StrengthTried {
-  double strength = unset;      ///< λ [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
-  double speed_weight = unset;  ///< weight s of speeds in the penalty [1]
-  double rms_ahead = unset;  ///< mean over all initial parts of the rms error on later readings [m]
-  double share = unset;      ///< weight of this λ and s in the mean of the gains [1]
+  /// λ [um² per square of the unit of a gain: um/K, um/(m/min) or um/1000 rpm].
+  double strength = unset;
+  double speed_weight = unset;  ///< weight s of speeds in the ridge penalty [1]
+  /// RMS error of a model that is fitted to a first part of the record and predicts all later
+  /// readings. The value is the mean over several first parts [m].
+  double rms_ahead = unset;
+  /// Weight of this pair of λ and s [1]. The gains of the model are the weighted mean over all
+  /// tried pairs.
+  double share = unset;
 };
 
 /// A model identified from a record.
@@ -50,9 +59,9 @@ struct Identification {
   std::vector<StructureTried> tried{};  ///< structures in the order of the search
   /// Fitted parameters with standard errors. A bank of lags has no standard errors.
   std::vector<record::Parameter> parameters{};
-  std::vector<StrengthTried> strengths{};  ///< for a bank of lags: strengths that were tried
-  std::vector<AheadError> ahead{};         ///< for a bank of lags: error after each initial part
-  Metrics metrics{};            ///< errors on the record, with a fitted zero for each run
+  std::vector<StrengthTried> strengths{};  ///< for a bank of lags: ridge strengths that were tried
+  std::vector<AheadError> ahead{};         ///< for a bank of lags: one error for each first part
+  Metrics metrics{};            ///< errors on the whole record, with a fitted offset for each run
   double rms_held_out = unset;  ///< rms error on held-out readings [m]
   double condition = unset;
   double correlation_time = unset;  ///< correlation time of the residual [s]
@@ -74,11 +83,11 @@ struct Identification {
 
 /// Identifies the inputs, the number of lags and the parameters of a model from a record. Gains and
 /// time constants are fitted by variable projection with many starts. The program adds channels and
-/// lags while the rms error on eight held-out parts decreases (see IdentifyOptions). If no part can
-/// be held out, the rms error of the fit decides. The search uses means of neighbouring rows. The
-/// final fit of the parameters uses the rows themselves. Gains, time constants and the kinematic
-/// law of `model` are start values. Delay elements and transfer functions with published
-/// coefficients remain unchanged.
+/// lags while the rms error on eight held-out parts decreases sufficiently (see IdentifyOptions).
+/// If no part can be held out, the rms error of the fit decides. The search uses means of
+/// neighbouring rows. The final fit of the parameters uses the single rows. Gains, time constants
+/// and the kinematic law of `model` are start values. Delay elements and transfer functions with
+/// published coefficients remain unchanged.
 ///
 /// Throws std::invalid_argument if the record lacks an input of the model or has fewer than three
 /// independent readings per parameter, or if neither `model` nor `offered` has an input.

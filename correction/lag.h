@@ -8,20 +8,22 @@
 
 namespace raceway::correction {
 
-/// Course of an input between two samples.
+/// Assumed shape of an input between two samples.
 enum class Hold {
   straight,  ///< first-order hold: a straight line, as for temperatures
-  held       ///< zero-order hold: constant; Clock::settings_hold selects the sample
+  held       ///< zero-order hold: constant at the value of the earlier or the later sample
+             ///< (see Clock::settings_hold)
 };
 
-/// Coefficients for one step of a first-order lag T dx/dt = u - x over a time dt.
+/// Coefficients for one time step dt of a first-order lag T dx/dt = u - x, with the input u, the
+/// state x and the time constant T.
 ///
 ///   x(k+1) = decay x(k) + old_weight u(k) + new_weight u(k+1)
 ///
 /// Source:   exact solution of the equation for an input that is linear or constant between
 ///           samples.
 /// Domain:   0 <= dt/T.
-/// Accuracy: rounding error only, also for small dt/T, because the weights use expm1 and a series.
+/// Accuracy: rounding error only, also for small dt/T.
 struct LagStep {
   double decay = 1.0, old_weight = 0.0, new_weight = 0.0;  ///< [1]
 };
@@ -41,14 +43,14 @@ inline LagStep lag_step(double ratio, Hold hold) {
   return {1.0 - rise, rise - new_weight, new_weight};
 }
 
-/// Time steps and runs of the rows of a record.
+/// Time steps between the rows of a record, and the first rows of its runs.
 struct Clock {
   std::vector<double> steps{};  ///< time since the previous row [s]; 0 at the start of a run
   std::vector<bool> begins{};   ///< true if a run begins with this row
   record::SettingsHold settings_hold = record::SettingsHold::sampled;
 
   [[nodiscard]] std::size_t rows() const { return steps.size(); }
-  /// Returns the row whose speeds, feeds and powers apply from the previous row to `row`. `row`
+  /// Returns the row whose speeds, feeds and powers apply between the previous row and `row`. `row`
   /// must not be the first row of a run.
   [[nodiscard]] std::size_t held_until(std::size_t row) const {
     return settings_hold == record::SettingsHold::until_row ? row : row - 1;
@@ -61,7 +63,7 @@ struct Clock {
 
 /// Computes the state of a first-order lag at every row, in the unit of the input. `time_constant`
 /// [s] is above 0. Every run begins with the state `start`. `input` and `state` have one value per
-/// row of the clock.
+/// row.
 void lag_response(const Clock& clock, std::span<const double> input, Hold hold,
                   double time_constant, double start, std::span<double> state);
 

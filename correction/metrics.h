@@ -6,8 +6,9 @@
 
 namespace raceway::correction {
 
-/// Errors of a simulated displacement, as defined in several papers. The residue is the measured
-/// minus the simulated displacement. Values are in m (angles: rad), except percentages.
+/// Errors of a simulated displacement, as defined in several papers. These papers use the term
+/// residue for the residual, which is the measured minus the simulated displacement. Values are in
+/// m (angles: rad), except percentages.
 struct Metrics {
   std::size_t readings = 0;
   double rms = unset, mean_abs = unset, max_abs = unset;
@@ -16,11 +17,13 @@ struct Metrics {
   /// peak-to-peak residue if residue_max and residue_min have different signs; otherwise the sum is
   /// larger.
   double peak_to_peak = unset;
-  /// (1 - |y - s| / |y - mean of y|) 100, with the Euclidean norms of measured values y and
-  /// simulated values s. The value is 100 for a perfect simulation, and 0 for a simulation that is
-  /// as good as the mean of y.
+  /// Agreement in percent: (1 - |y - s| / |y - mean of y|) 100. y contains the measured values, s
+  /// the simulated values, and |.| is the Euclidean norm. The value is 100 for a perfect
+  /// simulation. The value is 0 if the simulation has the same rms error as a constant equal to the
+  /// mean of y.
   double fit_percent = unset;
-  /// Reduction of the largest error: (1 - largest |residue| / largest |measured displacement|) 100.
+  /// Reduction of the largest displacement by a correction, in percent: (1 - largest |residue| /
+  /// largest |measured displacement|) 100.
   double reduction_of_max_percent = unset;
 };
 

@@ -18,36 +18,37 @@
 #include "record/series_channel.h"
 
 /// Predicts the displacement of a machine tool over hours from signals of its control. The
-/// predicted displacement is a sum: first-order lags driven by temperatures, powers, speeds and
-/// feeds, and an instant displacement that depends on the speed.
+/// predicted displacement is a sum of first-order lags and of an instant displacement that depends
+/// on the speed. Temperatures, powers, speeds and feeds drive the lags.
 namespace raceway::correction {
 
 using record::Channel;
 
 class OwnEffect;
 
-/// Factor that multiplies a channel, as a function of an axis position. The factor is 0 outside the
-/// outer two of four points, 1 between the inner two, and linear between an outer and an inner
-/// point.
+/// Factor that multiplies the input or the displacement of a channel, as a function of an axis
+/// position. The window has four points. The factor is 0 outside the two outer points, 1 between
+/// the two inner points, and linear between an outer and an inner point.
 struct Window {
   const Channel* column = nullptr;  ///< position of the axis
   /// Four rising positions [SI]; infinite on a side without a limit.
   std::array<double, 4> points{};
-  /// True: the factor scales the input before the lags, for heat that arises only in the window.
-  /// False: the factor scales the displacement, for a body that moves the tool only in the window.
+  /// True: the factor multiplies the input before the lags. Use this if heat arises only while the
+  /// axis is in the window. False: the factor multiplies the displacement. Use this if a machine
+  /// part moves the tool only while the axis is in the window.
   bool of_input = false;
 
   [[nodiscard]] double operator()(double position) const;
-  /// Returns the limits of the window as text in the unit of the column: "300..600", or "300.."
-  /// without an upper limit. If the factor rises or falls gradually, the text contains all four
-  /// points.
+  /// Returns the limits of the window as text, in the unit of the column, such as "300..600", or
+  /// "300.." if there is no upper limit. If the factor rises or falls gradually, the text contains
+  /// all four points.
   [[nodiscard]] std::string range_text() const;
 };
 
-/// Coordinate on one axis of a friction table: a constant, or the value of a record column.
+/// Coordinate on one axis of a friction table: a constant, or the value in a column of the record.
 struct TableCoordinate {
   double value = unset;             ///< constant [SI]
-  const Channel* column = nullptr;  ///< null: the constant `value`
+  const Channel* column = nullptr;  ///< null: the coordinate is the constant `value`
 };
 
 /// Quantity that drives a channel of the displacement model.
@@ -55,30 +56,33 @@ struct TableCoordinate {
 /// For a temperature, the input is its change since the first row of the run. For a feed, a speed
 /// or the coolant state, the input is the absolute value. Other columns keep their sign.
 struct Input {
-  std::string name{};                     ///< name in the model file: "power_W", or a column
+  std::string name{};  ///< "power_W", a column name, or the id of a user-defined effect
   std::vector<const Channel*> columns{};  ///< the mean of these columns is the input
-  /// Temperature whose change since the first row is subtracted from the input; null: none.
+  /// Reference temperature; null: none. The change of this temperature since the first row of the
+  /// run is subtracted from the input.
   const Channel* reference = nullptr;
   /// Exponent for a speed n: the input is n (n/1000 rpm)^(exponent - 1). An exponent above 1
   /// describes heat that rises faster than n.
   double exponent = 1.0;
-  /// Speed range of the fit [SI]. Above this range, continued() extrapolates the power law of
+  /// Speed range of the fit [SI]. Above this range, continued() extrapolates the power law with
   /// `exponent`.
   Interval seen{};
-  /// Friction table of a power input. The power is the torque from the table times the speed.
+  /// Friction table of a power input; null for other inputs. The power is the torque from the table
+  /// times the speed.
   std::shared_ptr<const FrictionTable> table{};
-  TableCoordinate axial_load{}, radial_load{}, temperature{};  ///< other axes of `table`
-  Interval within{};  ///< range to which a calculated power is clipped [W]
+  /// Coordinates on the other axes of `table`.
+  TableCoordinate axial_load{}, radial_load{}, temperature{};
+  Interval within{};  ///< range to which a calculated power is limited [W]
   std::optional<Window> window{};
-  std::shared_ptr<const OwnEffect> formula{};  ///< input as a user-defined formula of columns
+  /// User-defined formula that computes the input from columns.
+  std::shared_ptr<const OwnEffect> formula{};
   std::vector<double> formula_values{};
 
   [[nodiscard]] bool is_power() const { return table != nullptr; }
   /// Returns true if no column, friction table or formula defines the input.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
-  /// Returns the unit of the input to which gains refer: unit() in the form for text, such as "K"
-  /// or "m/min", and key_unit() in the form for keys, such as "K" or "m_min". factor() returns the
-  /// SI value of this unit.
+  /// Returns the unit of the input to which gains refer, such as "m/min". key_unit() returns this
+  /// unit in the form for keys, such as "m_min". factor() returns the SI value of this unit.
   [[nodiscard]] std::string_view unit() const;
   [[nodiscard]] std::string_view key_unit() const;
   [[nodiscard]] double factor() const;
@@ -98,16 +102,19 @@ struct DrivenChannel {
   Input input{};
   std::vector<Section> sections{};
   double feedthrough = 0.0;  ///< instant displacement [m] per SI unit of the input
-  /// Factor on the whole channel, for example for another spindle of the same type.
+  /// Factor that multiplies the contribution of the channel, for example to adapt the model to
+  /// another spindle of the same type.
   double scale = 1.0;
-  /// If set, replaces `sections` by a gain and a time constant that depend on the power or load.
+  /// Delay element, whose gain and time constant depend on the power or load. If it is set,
+  /// `sections` are not used.
   std::optional<DelayElement> element{};
-  /// If set, replaces `sections` by a transfer function with published coefficients for one
-  /// sampling time.
+  /// Transfer function with published coefficients for one sampling time. If it is set, `sections`
+  /// are not used.
   std::optional<TransferFunction> printed{};
 };
 
-/// Law of the kinematic displacement, u = A n^(1 - B exp(-C n)): see shaft/kinematic_law.h.
+/// Law of the kinematic displacement u [um] at the speed n [rpm], u = A n^(1 - B exp(-C n)): see
+/// shaft/kinematic_law.h.
 struct Kinematic {
   double A = unset, B = unset, C = unset;  ///< A [um], B [1], C [1/rpm]
 };
@@ -119,10 +126,10 @@ struct Effect {
   std::string where{};                    ///< name of the channel or axis on which the effect acts
   std::vector<const Channel*> columns{};  ///< the mean of these columns drives the effect
   std::optional<Window> window{};         ///< range of an axis in which the effect acts
-  std::vector<double> values{};           ///< parameter values in the units of EffectCard
+  std::vector<double> values{};           ///< parameter values in the units that EffectCard states
   /// User-defined effect; null for an effect of the catalogue.
   std::shared_ptr<const OwnEffect> own{};
-  /// True: user-defined effect that diagnose() and add() can test. The effect contributes nothing.
+  /// True: the model does not use this user-defined effect, but diagnose() and add() can test it.
   bool off = false;
 };
 
@@ -141,18 +148,21 @@ struct NumberPrior {
 
 /// Range of an input in the data of the fit.
 struct SeenRange {
-  const Channel* column = nullptr;      ///< column of the input; null: the power of a channel
-  std::string name{};                   ///< name of the column or the channel
-  double lower = unset, upper = unset;  ///< [SI]; a temperature in K, not its change
-  double still = unset;  ///< longest time without a change of a temperature [s]; NaN: unknown
+  /// Column of the input; null if the input is the power of a channel.
+  const Channel* column = nullptr;
+  std::string name{};  ///< name of the column or the channel
+  /// Limits [SI]; for a temperature the value in K, not its change.
+  double lower = unset, upper = unset;
+  /// Longest time during which the temperature was constant [s]; NaN: unknown.
+  double still = unset;
 };
 
 /// Distribution of all inputs in the data of the fit. The distribution shows which combinations of
 /// inputs never occurred, even if each input is within its own range.
 struct SeenTogether {
   std::vector<const Channel*> columns{};  ///< input columns that vary in the data
-  /// Mean and standard deviation of each column [SI]; of the absolute values for speeds, feeds and
-  /// the coolant state.
+  /// Mean and standard deviation of each column [SI]. For speeds, feeds and the coolant state, the
+  /// absolute values are used.
   Eigen::VectorXd mean{}, std{};
   Eigen::MatrixXd correlation{};
   /// Largest distance of a row of the data from the mean [1]: see Distance in range.h.
@@ -161,18 +171,20 @@ struct SeenTogether {
 
 /// Residual of the fitted model.
 struct Left {
-  double rms = unset;  ///< rms on held-out parts, or of the fit if no part was held out [m]
+  /// Rms residual on held-out parts [m]; on all fitted data if no part was held out.
+  double rms = unset;
   double correlation_time = unset;  ///< correlation time of the residual [s]
 };
 
 /// Error of a fitted model on readings that the fit did not use, and properties of the readings.
-/// trust_of() rates the model from them.
+/// trust_of() rates the model from these values.
 struct Evidence {
-  double error = unset;  ///< rms error on readings that the fit did not use; NaN without them [m]
+  /// Rms error on readings that the fit did not use [m]; NaN if there are none.
+  double error = unset;
   /// Rms of the readings after the mean of each run is subtracted [m].
   double uncorrected = unset;
   double duration = unset;  ///< longest time from first to last reading of a run [s]
-  bool one_way = false;     ///< true if the readings change only once, in one direction
+  bool one_way = false;     ///< true if the readings only rise or only fall, as in a warm-up
   /// True if `error` and `uncorrected` come from another record than the fit.
   bool other_record = false;
 };
@@ -188,7 +200,8 @@ struct Model {
   std::vector<DrivenChannel> channels{};
   std::optional<Kinematic> kinematic{};
   std::vector<Effect> effects{};
-  /// Names of free parameters, or of groups such as "gains"; empty: the default of free_names().
+  /// Names of free parameters, or of groups such as "gains". If the list is empty, free_names()
+  /// selects the free parameters.
   std::vector<std::string> free{};
   std::vector<NumberPrior> priors{};
   std::vector<SeenRange> range{};

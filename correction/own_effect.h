@@ -12,17 +12,17 @@ namespace raceway::correction {
 
 /// User-defined effect: a formula f of record columns, in the units of the columns. The effect adds
 /// K/(1 + tau s) f(columns, parameters) to the displacement, with a gain K, a time constant tau and
-/// the Laplace variable s. Without a time constant, it adds K f.
+/// the Laplace variable s. Without a time constant, the effect adds K f.
 ///
-/// If the formula contains a temperature, the value of f in the first row of each run is
-/// subtracted. The formula uses the columns as recorded, so speeds and feeds keep their sign.
+/// If the formula contains a temperature, the value of f in the first row of each run is subtracted
+/// from f. The formula uses the recorded values, so speeds and feeds keep their sign.
 class OwnEffect final : public EffectKind {
  public:
   struct Number {
     std::string name{}, unit{};
     double value = 0.0;
     double lower = unset, upper = unset;  ///< bounds for a fit; NaN: unbounded
-    bool in_braces = false;  ///< true: the model file gives value, unit and bounds in braces
+    bool in_braces = false;  ///< true: the model file gives the number as { value, unit, bounds }
   };
   struct Given {
     std::string id{}, title{}, formula{};
@@ -34,8 +34,8 @@ class OwnEffect final : public EffectKind {
   explicit OwnEffect(Given given);
 
   [[nodiscard]] const Given& given() const { return given_; }
-  /// Returns the description of the effect. The parameters of the effect are the gain [um], the
-  /// time constant if there is one, and the parameters of the formula.
+  /// Returns the description of the effect. The parameters are the gain [um], the time constant if
+  /// the effect has one, and the parameters of the formula.
   [[nodiscard]] const EffectCard& card() const override { return card_; }
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
   [[nodiscard]] bool follows_a_temperature() const;
@@ -58,7 +58,6 @@ class OwnEffect final : public EffectKind {
     std::size_t index = 0;
   };
 
-  /// Returns the index of the first parameter of the formula.
   [[nodiscard]] std::size_t first_parameter() const { return given_.lags ? 2 : 1; }
 
   Given given_;

@@ -14,12 +14,13 @@ namespace raceway::correction {
 struct RecordCheck {
   struct Quantum {
     const Channel* column = nullptr;
-    double step = unset;  ///< resolution [SI]: differences of values are multiples of it
+    double step = unset;  ///< resolution [SI]; see quantum_of()
   };
   struct Printed {
     std::string channel;
-    double factor = 1.0;  ///< SI value of one unit of the input's column
-    /// Resolution of the input in the record [SI]; 0.1 of its unit if quantum_of() finds none.
+    double factor = 1.0;  ///< SI value of the unit of the input column
+    /// Resolution of the input in the record [SI]. If quantum_of() finds no resolution, 0.1 of the
+    /// unit of the column is assumed.
     double quantum = unset;
     TransferFunctionCheck check;
   };
@@ -27,23 +28,24 @@ struct RecordCheck {
   double sampling = unset;   ///< median time between rows [s]
   double duration = unset;   ///< duration of the longest run [s]
   std::size_t readings = 0;  ///< number of readings of the displacement
-  /// Scatter of the readings within a stop, a group of readings that are close in time.
+  /// Scatter of repeated readings. Readings are repeats if they are close in time, with a long
+  /// break before and after them.
   fit::Repeatability repeatability{};
-  /// Upper bound of the standard deviation of the noise [m]; NaN if `repeatability` is known or
-  /// `reading_interval` is at most 120 s.
+  /// Upper bound of the standard deviation of the noise [m]. The check computes the bound only if
+  /// `reading_interval` exceeds 120 s and `repeatability` is unknown; otherwise the value is NaN.
   double noise_at_most = unset;
   double reading_interval = unset;  ///< median time between two readings [s]
   /// Limits of time constants that the record can determine [s]; see time_constants_of().
   double shortest = unset, longest = unset;
   std::vector<Quantum> quanta{};
-  std::vector<Printed> printed{};  ///< checks of the published transfer functions of the model
+  std::vector<Printed> printed{};  ///< one check for each published transfer function of the model
   std::vector<record::Note> warnings{};
   /// Warnings about sensors that are inputs of the model. `warnings` contains these warnings too.
   std::vector<record::Note> of_its_inputs{};
 };
 
-/// Returns a sentence about the first row in which an input is outside DelayElement::domain(). The
-/// text is empty if there is no such row.
+/// Returns a sentence about the first row in which the input of a delay element is outside
+/// DelayElement::domain(). The text is empty if there is no such row.
 [[nodiscard]] std::string beyond_element(const Model& model, const record::Record& record);
 
 [[nodiscard]] RecordCheck check_record(const Model& model, const record::Record& record);

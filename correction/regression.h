@@ -7,12 +7,12 @@
 namespace raceway::correction {
 
 /// Multiple linear regression: a displacement as a linear combination of present temperatures. Many
-/// controls use this model. In raceway, it is a baseline for comparison.
+/// controls use this model. In raceway, the regression is a baseline for comparison.
 struct Regression {
   Eigen::VectorXd coefficients{};  ///< one coefficient for each column
   double rms = unset;              ///< rms residual, in the unit of the readings
-  /// Condition number [1]: ratio of the largest to the smallest singular value of the columns. At
-  /// 1e8, the coefficients have lost half of their digits.
+  /// Condition number [1]: ratio of the largest to the smallest singular value of the columns. At a
+  /// condition number of 1e8, about half of the 16 digits of the coefficients are wrong.
   double condition = unset;
 };
 
@@ -21,9 +21,13 @@ struct Regression {
 /// dependent.
 [[nodiscard]] Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readings);
 
-/// Returns the factor [1] that adapts a spindle model to another spindle of the same type: <y -
-/// rest, s>/<s, s> [Transfer2022, eq. 6]. y is the measured displacement, and s is the simulated
-/// contribution of the spindle. `rest`, the simulated displacement without s, is assumed correct.
+/// Returns the factor that adapts a spindle model to another spindle of the same type [1]:
+///
+///   <y - rest, s>/<s, s>,   <a, b>: scalar product
+///
+/// y is the measured displacement (`measured`), and s the simulated contribution of the spindle
+/// (`spindle`). `rest` is the simulated displacement without s; this part is assumed to be correct.
+/// Source:   [Transfer2022, eq. 6].
 [[nodiscard]] double sister_scale(const Eigen::VectorXd& measured, const Eigen::VectorXd& rest,
                                   const Eigen::VectorXd& spindle);
 

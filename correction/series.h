@@ -14,15 +14,18 @@
 
 namespace raceway::correction {
 
-/// Changes that effects make to the gain and the time constant τ of a channel's lags.
+/// Changes that effects make to the gain and the time constant τ of the first-order lags of a
+/// channel. A channel is the contribution of one input to the displacement.
 struct Answer {
   double sensor_time_constant = 0.0;  ///< time constant of the sensor [s]: see effects/sensor_lag.h
-  double off_gain = 1.0, off_time_constant = 1.0;  ///< factors on gain and τ while coolant_on is 0
+  /// Factors on gain and τ while the coolant is off.
+  double off_gain = 1.0, off_time_constant = 1.0;
   /// At the speed n, τ is multiplied by f = 1/(1 + speed_factor n/10 000 rpm), and the gain is
-  /// multiplied by f^gain_power: see effects/speed_dependent_time_constant.h [1].
+  /// multiplied by f^gain_power: see effects/speed_dependent_time_constant.h.
   double speed_factor = 0.0, gain_power = 1.0;
-  double falling = 1.0;  ///< factor on τ while the input is below the state of the lag
-  /// Speed range of the fit [rpm]. Beyond this range, continued() extrapolates these two factors.
+  /// Factor on τ while the state of the lag falls because the input is below the state.
+  double falling = 1.0;
+  /// Speed range of the fit [rpm]. Beyond this range, continued() extrapolates f and f^gain_power.
   Interval speed{};
 
   [[nodiscard]] bool is_plain() const {
@@ -31,12 +34,11 @@ struct Answer {
   }
 };
 
-/// Returns the input from a speed or feed n: |n| (|n|/1000 rpm)^(exponent - 1), see
-/// Input::exponent.
+/// Returns the input for a speed or feed n: |n| (|n|/1000 rpm)^(exponent - 1), see Input::exponent.
 [[nodiscard]] double driving_size(double value, double exponent);
 
-/// A time record prepared for simulation: its time steps, the model inputs at each row, and the
-/// computed responses of lags, which are stored for reuse. Several threads may use one object.
+/// Time record prepared for simulation. The object stores computed inputs and lag responses, so
+/// that later calls do not compute them again. Several threads may use one object.
 class Series {
  public:
   /// `record` must live longer than this object. Throws std::invalid_argument if the column time_s
@@ -52,7 +54,7 @@ class Series {
   [[nodiscard]] double sampling() const;
   /// Returns the duration of the longest run [s].
   [[nodiscard]] double duration() const;
-  /// Index of the reference (zero) of the displacement at each row. Each run has one reference for
+  /// Index of the reference (zero) of the displacement in each row. Each run has one reference for
   /// each value of setup_id.
   [[nodiscard]] std::span<const int> zero() const { return zero_; }
   [[nodiscard]] int zeros() const { return zeros_; }
@@ -63,37 +65,38 @@ class Series {
 
   using Values = std::shared_ptr<const std::vector<double>>;
   /// Returns the input at every row [SI]: a rise of temperature [K], a power [W], the absolute
-  /// value of a speed or feed, or another quantity. If the window of the input has `of_input` set,
-  /// the result is multiplied by the factor of this window. Throws std::invalid_argument if the
-  /// record lacks a column of the input.
+  /// value of a speed or feed, or another quantity. If the input has a window with
+  /// `Window::of_input`, the result is multiplied by the factor of the window. Throws
+  /// std::invalid_argument if the record lacks a column of the input.
   [[nodiscard]] Values input(const Input& input) const;
-  /// Returns the input at the time of the reading in each row [SI], multiplied by the factor of its
-  /// window. A displacement without lag is proportional to this result.
+  /// Returns the input at the time of the reading in each row [SI], multiplied by the factor of the
+  /// window if the input has one. A displacement without lag is proportional to this result.
   [[nodiscard]] Values at_once(const Input& input) const;
-  /// Returns the factor of a window on the displacement at the time of the reading in each row [1].
-  /// The result is null if the input has no window or `of_input` is set.
+  /// Returns the window factor for the time of the reading in each row [1]. The displacement is
+  /// multiplied by this factor. The result is null if the input has no window, or if input()
+  /// already includes the factor (`Window::of_input`).
   [[nodiscard]] Values shown_share(const Input& input) const;
   /// Returns the number of rows in which the spindle turns and the operating point is outside the
   /// axes of the friction table; 0 for an input without such a table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
   /// Returns the response of a lag with gain 1 to this input at every row, in the SI unit of the
-  /// input. If the input has a window, the factor of the window multiplies the response, or the
-  /// input if `of_input` is set.
+  /// input. If the input has a window, the response includes the factor of the window (see Window).
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
-  /// Returns n^(1 - B exp(-C n)) at every row, with the speed n in rpm. Above the speed range
-  /// `seen` of the fit, continued() extrapolates the value. At standstill, the value is 0.
+  /// Returns n^(1 - B exp(-C n)) at every row: the kinematic law (shaft/kinematic_law.h) without
+  /// its factor A, with the speed n in rpm. Above the speed range `seen` of the fit, continued()
+  /// extrapolates the value. At standstill, the value is 0.
   [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
   /// Returns the response of a lag at every row [1]. The input of the lag is exp(-n/n0) while the
   /// spindle turns at the speed n, and 0 at standstill; n0 is `decay_speed_rpm`. Beyond the speed
   /// range `seen` of the fit, continued() extrapolates the input.
   [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
                              const Interval& seen = {}) const;
-  /// Returns exp(-t/tau) at every row of the first run, with the time t since its first row, and 0
-  /// in later runs.
+  /// Returns exp(-t/τ) at every row of the first run, and 0 in later runs. t is the time since the
+  /// first row, and τ the time constant.
   [[nodiscard]] Values decay(double time_constant) const;
-  /// Returns 1 - exp(-t/tau) at every row. The time t starts at the first row of the record. The
-  /// time t increases within all runs, but not between two runs.
+  /// Returns 1 - exp(-t/τ) at every row. t is the time since the first row of the record, without
+  /// the breaks between runs, and τ the time constant.
   [[nodiscard]] Values settling(double time_constant) const;
 
  private:
@@ -104,11 +107,8 @@ class Series {
   [[nodiscard]] std::vector<FrictionTable::Point> points_of_table(const Input& input) const;
   [[nodiscard]] std::vector<double> power(const Input& input) const;
   [[nodiscard]] std::vector<double> formula(const Input& input) const;
-  /// Returns the key under which the values of `input` are stored.
   [[nodiscard]] Key key_of(const Input& input) const;
-  /// Computes the input at every row, without its window.
   void fill(const Input& input, std::vector<double>& out) const;
-  /// Returns the factor of a window at every row [1].
   [[nodiscard]] std::vector<double> shares(const Window& window) const;
   void answer(const std::vector<double>& input, record::Course course, double time_constant,
               const Answer& answer, std::vector<double>& state) const;

@@ -13,8 +13,8 @@ namespace raceway::correction {
 /// without one.
 struct DrivenShare {
   Input input{};
-  double gain = 0.0;             ///< [um] per unit of the input, Input::unit()
-  double time_constant = unset;  ///< [s]; NaN: no lag
+  double gain = 0.0;             ///< gain [um] per unit of the input, see Input::unit()
+  double time_constant = unset;  ///< time constant of the lag [s]; NaN: no lag
 };
 
 /// Contribution of a motor that heats up or cools down with the spindle: a first-order lag whose
@@ -22,17 +22,17 @@ struct DrivenShare {
 struct MotorShare {
   double gain = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
-  double decay_speed = 0;    ///< n0 [rpm]
+  double decay_speed = 0;    ///< speed n0 [rpm]
 };
 
-/// Contribution that settles from the start of the record: size (1 - exp(-t/τ)), with the time
-/// constant τ.
+/// Contribution that approaches a final value: size (1 - exp(-t/τ)), with the time constant τ and
+/// the time t since the start of the record.
 struct SettlingShare {
   double size = 0.0;         ///< [um]
   double time_constant = 0;  ///< [s]
 };
 
-/// Contribution with steps at given times.
+/// Contribution that is a sum of steps. Each step begins at a given time.
 struct JumpShare {
   struct Jump {
     double size = 0.0;  ///< [um]
@@ -47,12 +47,13 @@ struct JumpShare {
 using Share =
     std::variant<std::monostate, DrivenShare, MotorShare, SettlingShare, JumpShare, Kinematic>;
 
-/// Function that receives one term of the displacement [m]: `weight` times one value per row.
-/// Series stores the values: for equal parameters, the function receives the same object again.
+/// Function that receives one term of the displacement. The term at each row is `weight` times the
+/// element of `values` for this row [m].
 using Sink = std::function<void(double weight, const Series::Values& values)>;
 
-/// Simulates a contribution on a record and passes its terms to `sink`. Beyond the speed range
-/// `seen` of the fit [rpm], continued() extrapolates laws of the speed.
+/// Simulates a contribution on a record and passes its terms to `sink`. `seen` is the speed range
+/// of the fit [rpm]. Outside this range, continued() extrapolates the contributions that depend on
+/// the speed.
 void add_share(const Share& share, const Series& series, const Interval& seen, const Sink& sink);
 
 }  // namespace raceway::correction

@@ -10,19 +10,18 @@
 
 namespace raceway::correction {
 
-/// Contribution of one channel, one effect or the kinematic law to the displacement at every row
-/// [m].
+/// Contribution of a channel, an effect or the kinematic law to the displacement at every row [m].
 struct Contribution {
   std::string name{};  ///< name of a channel or effect, or "kinematic"
   std::vector<double> displacement{};
 };
 
 /// Simulates the displacement at every row of a record [m], including the offset of the model. All
-/// lags start at zero in each run. After the input of a delay element leaves its domain, the result
-/// is NaN until the end of the run. Beyond the range of the fit, lags remain linear, and
-/// continued() extrapolates nonlinear laws. Throws std::invalid_argument if the record lacks an
-/// input, or if the sampling interval of the record differs from the interval of published
-/// coefficients.
+/// lags start at zero in each run. If the input of a delay element is outside its domain in a row,
+/// the result is NaN from this row until the end of the run. Beyond the range of the fit, lags
+/// remain linear, and continued() extrapolates nonlinear formulas. Throws std::invalid_argument if
+/// the record lacks an input, or if the model has published coefficients for another sampling
+/// interval.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
 /// Calls `sink` for each term of the displacement of simulate(), except the offset.

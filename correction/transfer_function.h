@@ -12,34 +12,35 @@ namespace raceway::correction {
 /// Discrete transfer function from an input u to a displacement y, with published coefficients that
 /// are valid for one sampling time.
 ///
-///   y(k) = sum a(i) u(k-i) - sum b(i) y(k-i),   b(0) = 1
+///   y(k) = sum_{i>=0} a(i) u(k-i) - sum_{i>=1} b(i) y(k-i),   b(0) = 1,   k: index of the sample
 ///
 /// Source:   [Transfer2022, eq. 1], see docs/papers.md. The paper prints um/(s K) as the unit of a,
 ///           but the numbers are in um/K. This struct stores a in m/K.
 /// Traps:    slow poles are so close to 1 that the last printed digits decide gain and stability.
 ///           With a sampling time of 1 s and time constants of 5400 and 900 s, the coefficients of
-///           the denominator have a sum of only 2e-7. The program therefore reads, checks and runs
-///           transfer functions, but identify() fits first-order lags. Only arx_baseline() fits
-///           transfer functions.
+///           the denominator have a sum of only 2e-7. Therefore identify() fits first-order lags.
+///           Only arx_baseline() fits transfer functions.
 struct TransferFunction {
   std::vector<double> numerator, denominator;  ///< coefficients a(i) and b(i)
   double sampling = unset;                     ///< sampling time [s]
 };
 
-/// Returns the function without the roots at exactly 1 that numerator and denominator share. In
-/// exact arithmetic these roots cancel. In floating point, the output would drift, because a pole
-/// at 1 never decays. Throws std::invalid_argument if a polynomial is empty, b(0) is not 1, a
-/// coefficient is not finite, or the sampling time is not positive.
+/// Removes the roots at exactly 1 that numerator and denominator have in common, and returns the
+/// reduced transfer function. In exact arithmetic, the common roots cancel. In floating point, the
+/// output would drift, because the response of a pole at 1 never decays. Throws
+/// std::invalid_argument if a polynomial is empty, b(0) is not 1, a coefficient is not finite, or
+/// the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
 /// Returns the result of reduced() with a numerator in um per unit of the input. `unit` is the SI
-/// value of this unit. Numerator and denominator of the result have the same length. The
-/// coefficients are rounded to 15 digits, which changes the gain by about 1e-9 if the poles are
-/// slow. All exported programs use these rounded coefficients, so their results agree.
+/// value of the unit of the input. Numerator and denominator of the result have the same length.
+/// The coefficients are rounded to 15 digits, so the relative error of the gain is about 1e-9 if
+/// the poles are slow. All exported programs use these rounded coefficients, so their results
+/// agree.
 [[nodiscard]] TransferFunction direct_form(const TransferFunction& printed, double unit);
 
 /// Returns the displacement at every sample of the input, from rest and in double precision. The
-/// samples of the input must have the sampling time of the function.
+/// sampling time of the input must be the sampling time of the transfer function.
 [[nodiscard]] std::vector<double> run(const TransferFunction& printed,
                                       std::span<const double> input);
 /// Returns the displacement as a controller computes it: in single precision and with the published
@@ -47,8 +48,8 @@ struct TransferFunction {
 [[nodiscard]] std::vector<float> run_single(const TransferFunction& printed,
                                             std::span<const float> input);
 
-/// Transfer function as the sum of an instant response and of first-order lags. The lags respond to
-/// the previous input sample.
+/// Transfer function as the sum of an instant response and of first-order lags x_i. The lags
+/// respond to the previous sample of the input u.
 ///
 ///   y(k) = through u(k) + sum x_i(k),   x_i(k) = x_i(k-1) + rise_i (gain_i u(k-1) - x_i(k-1))
 ///
@@ -57,18 +58,21 @@ struct TransferFunction {
 ///           longer than the denominator.
 /// Accuracy: limited by the poles, which are computed in extended precision because poles of slow
 ///           bodies differ by less than 1e-4.
-/// Traps:    the lags agree with the transfer function only at its sampling time dt. A lag has the
-///           time constant -dt/ln(1 - rise), and its input is constant between samples.
+/// Traps:    the lags agree with the transfer function only if they are sampled with its sampling
+///           time dt. A lag has the time constant -dt/ln(1 - rise), and its input is constant
+///           between samples.
 struct ParallelForm {
   struct Lag {
-    double rise, gain;  ///< rise: 1 - pole [1]; gain: in the unit of a(0)
+    /// Coefficients of x_i: rise = 1 - pole [1], and gain = final value of x_i per unit of the
+    /// input, in the unit of a(0).
+    double rise, gain;
   };
   double through = 0.0;  ///< instant response, in the unit of a(0)
   std::vector<Lag> lags{};
 };
 
-/// Returns the parallel form of a transfer function. Throws std::invalid_argument if the function
-/// is outside the domain of ParallelForm; the message gives the reason.
+/// Returns the parallel form of a transfer function. Throws std::invalid_argument if the transfer
+/// function is outside the domain of ParallelForm; the message gives the reason.
 [[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
 
 /// Returns a warning for each kind of pole that no thermal body has: on or outside the unit circle,
@@ -80,8 +84,10 @@ struct ParallelForm {
 
 /// Results of check() for published coefficients.
 struct TransferFunctionCheck {
-  std::vector<std::complex<double>> poles{};  ///< poles including common roots, the largest first
-  /// Time constant of each pole [s]; NaN unless the pole is real and between 0 and 1.
+  /// Poles, including the roots that reduced() removes, the largest first.
+  std::vector<std::complex<double>> poles{};
+  /// Time constant of each pole [s]; NaN for a complex pole and for a real pole outside 0 to 1,
+  /// which have no time constant.
   std::vector<double> time_constants{};
   double dc_gain = unset;  ///< final displacement per unit step, in the unit of a(0)
   /// 5th and 95th percentile of the DC gain in 4000 random draws. A draw varies all coefficients

@@ -32,29 +32,32 @@ struct Trust {
 /// error on held-out readings [m]; NaN if none were held out.
 [[nodiscard]] Evidence evidence_on(const Model& model, const record::Record& record, double error);
 
-/// Returns the level of trust for Model::evidence; `unknown` if the model has none. The first
-/// matching level is used:
+/// Returns the level of trust for Model::evidence; `unknown` if the model has none. The conditions
+/// are tested from top to bottom. The result is the first level of which at least one condition is
+/// met:
 ///
-///   do not use    no readings were held out; the readings change only once, in one direction; a
-///                 time constant exceeds the duration of the readings; the mean square of the error
-///                 exceeds half of the mean square of the displacement
-///   within range  a time constant exceeds a third of this duration; the rms error exceeds the
-///                 tolerance or, without a tolerance, a quarter of the rms displacement
+///   do not use    no readings were held out
+///                 the readings change only once, in one direction
+///                 a time constant exceeds the duration of the readings
+///                 the mean square of the error exceeds half of the mean square displacement
+///   within range  a time constant exceeds a third of the duration of the readings
+///                 the rms error exceeds the tolerance
+///                 without a tolerance: the rms error exceeds a quarter of the rms displacement
 ///   good          otherwise
 ///
 /// The error is Evidence::error, and the rms displacement is Evidence::uncorrected. If the error
 /// comes from another record (`Evidence::other_record`), the conditions on the duration and on
 /// readings that change only once are not checked.
-/// Accuracy: the limits are our choice. The limits were tested on corrections fitted to the first 1
-/// to 12 h of data/corrections/exact: no correction with an rms residual above a fifth of the rms
-/// displacement in test.csv is rated good.
+/// Accuracy: the limits are our choice. Test: corrections were fitted to the first 1 to 12 h of the
+///           data in data/corrections/exact, and applied to test.csv in this folder. If the level
+///           was `good`, the rms error on test.csv was at most a fifth of the rms displacement.
 [[nodiscard]] Trust trust_of(const Model& model);
 
 /// Returns the level of trust in a prediction for a record. The level is `do_not_use` if the mean
 /// square of the error exceeds half of the square of `uncorrected`, the rms displacement from
-/// uncorrected_rms() [m]. Otherwise trust_of() gives the level, but `good` becomes `within_range`
-/// if a row is outside the range of the fit. `errors` are the errors of the prediction, after a
-/// constant is subtracted for each run.
+/// uncorrected_rms() [m]. Otherwise it is the result of trust_of(), but `within_range` instead of
+/// `good` if a row is outside the input range of the fit. `errors` are the errors of the
+/// prediction, after a constant is subtracted for each run.
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                              const Beyond& beyond);
 

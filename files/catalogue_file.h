@@ -8,8 +8,7 @@
 
 namespace raceway::files {
 
-/// Preload class of a mounted bearing pair (light, medium or strong), as published by the
-/// manufacturer.
+/// Published values of a mounted bearing pair, for one preload class (light, medium or strong).
 struct PairPreload {
   double force = unset;           ///< [N]
   double axial_rigidity = unset;  ///< rigidity of the pair [N/m]
@@ -20,7 +19,7 @@ struct CatalogueBearing {
   std::string maker;
   std::string designation;
   /// The static load rating C0 is for steel balls. Manufacturers do not publish groove radii, so
-  /// the conformities of both races are 0.52.
+  /// the program assumes a conformity of 0.52 for both races.
   bearing::BearingGeometry geometry;
   double width = unset;                               ///< [m]
   double mass = unset;                                ///< [kg]
@@ -29,15 +28,16 @@ struct CatalogueBearing {
   double speed_limit_oil = unset;                     ///< [rad/s]
   double speed_limit_grease = unset;                  ///< [rad/s]
   PairPreload light, medium, strong;
-  double spring_preload_at_speed_limit = unset;  ///< least spring preload at the speed limit [N]
+  /// Minimum spring preload at the speed limit, from the catalogue [N].
+  double spring_preload_at_speed_limit = unset;
 
   /// Returns manufacturer and designation, such as "GMN S 6014 C TA".
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
 /// Returns the path of a data file or folder of raceway; empty if it is not found. The function
-/// searches share/raceway of the installation of this program or library, then the source tree,
-/// then the installation folder set at build time.
+/// searches these folders in this order: share/raceway of the installation that contains this
+/// program or library, the source tree, and the installation folder that was set at build time.
 [[nodiscard]] std::string data_file(const std::string& name);
 
 /// Returns the path of raceway's data folder with the catalogues in bearings/; empty if it is not
@@ -57,22 +57,23 @@ struct CatalogueBearing {
 [[nodiscard]] std::vector<CatalogueBearing> parse_catalogue(std::string text,
                                                             const std::string& path);
 
-/// Returns the rows of all catalogues: first of the user's data folder (bearings/*.csv, or *.csv if
-/// it has no folder bearings), then of bearings/*.csv in raceway's data folder. Throws InputError
-/// if RACEWAY_DATA names a folder without a catalogue, or if no catalogue is found.
+/// Returns the rows of all catalogues. The first rows come from the user's data folder
+/// (own_data_directory()): from bearings/*.csv or, if this folder does not contain a folder named
+/// bearings, from *.csv. The rows of bearings/*.csv in raceway's data folder follow. Throws
+/// InputError if RACEWAY_DATA names a folder without a catalogue, or if no catalogue is found.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogues();
 
 /// Returns the rows whose name contains `filter`; all rows if `filter` is empty. Case, blanks and a
-/// trailing "TA" are ignored.
+/// trailing "TA" (cage code) are ignored.
 [[nodiscard]] std::vector<CatalogueBearing> matching_bearings(
     const std::vector<CatalogueBearing>& rows, std::string_view filter);
 
-/// Returns the row with this name, compared as in find_bearing(); null if there is none.
+/// Returns the row with this name; null if there is none. Names are compared as in find_bearing().
 [[nodiscard]] const CatalogueBearing* known_bearing(const std::vector<CatalogueBearing>& rows,
                                                     std::string_view name);
 
-/// Returns the row with this name. Case, blanks, the manufacturer's name and a trailing "TA" are
-/// ignored. Throws InputError with similar names if there is no such row.
+/// Returns the row with this name. Case, blanks, the manufacturer's name and a trailing "TA" (cage
+/// code) are ignored. If there is no such row, throws InputError with similar names.
 [[nodiscard]] CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows,
                                             std::string_view name);
 

@@ -15,11 +15,11 @@ namespace raceway::files {
 /// Contents of a correction file: one model for each displacement.
 struct CorrectionFile {
   std::vector<correction::Model> models;
-  std::string source;                     ///< file name, for messages
-  std::string text;                       ///< text of the file, for editing
-  std::vector<UsedDefault> defaults{};    ///< defaults used, and values marked as assumed
-  std::vector<record::Note> notes{};      ///< other notes for the user
-  ColumnMap columns{};                    ///< rules for the columns of measurements
+  std::string source;                   ///< file name, for messages
+  std::string text;                     ///< text of the file, for editing
+  std::vector<UsedDefault> defaults{};  ///< default values used, and values marked as assumed
+  std::vector<record::Note> notes{};    ///< other notes for the user
+  ColumnMap columns{};                  ///< assignment of file columns to channels, from [columns]
   correction::ControlSettings control{};  ///< settings for the machine control from [export]
   std::vector<NamedFile> files{};         ///< files that the correction names, with their contents
 };
@@ -31,25 +31,28 @@ struct CorrectionFile {
 [[nodiscard]] CorrectionFile read_correction(const std::string& path);
 
 /// Parses the text of a correction file; `source` is the file name in messages. File names in the
-/// text are relative to the folder of `source`. The contents of files in `held` are not read again.
+/// text are relative to the folder of `source`. `held` contains files whose contents are already
+/// known; these files are not read again.
 [[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
                                               std::vector<NamedFile> held = {});
 
-/// Returns the text of the table [correction.prior] for a model; empty without priors.
+/// Returns the text of the table [correction.prior] for a model; empty if the model has no priors.
+/// A prior is the expected value of a parameter with a standard deviation.
 [[nodiscard]] std::string prior_text(const correction::Model& model);
 
-/// Returns the line of a correction file that limits a channel or an effect to a range of axis
-/// positions (correction::Window).
+/// Returns the line of a correction file that limits a channel or an effect to a range of an axis
+/// position or a speed (correction::Window).
 [[nodiscard]] std::string window_text(const correction::Window& window);
 
-/// Returns the text of a new correction file with these models: their offsets, tolerances, input
-/// ranges, and the channels whose inputs are columns of the record. `comment` is the first line of
-/// the file.
+/// Returns the text of a new correction file for these models. The text contains the offset, the
+/// tolerance and the input ranges of each model, and the channels whose inputs are columns of the
+/// record. `comment` is the first line of the file.
 [[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
                                           const std::string& comment);
 
-/// Returns the text of `file` with the parameters, lags, channels, effects and input ranges of
-/// `models`, which are changed models of `file`. Comments and everything else stay unchanged.
+/// Returns the text of `file`, in which the parameters, lags, channels, effects and input ranges of
+/// `models` replace the original ones. `models` must be changed copies of the models in `file`. All
+/// other text, such as comments, stays unchanged.
 [[nodiscard]] std::string with_corrections(const CorrectionFile& file,
                                            const std::vector<correction::Model>& models);
 

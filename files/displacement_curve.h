@@ -20,18 +20,18 @@ struct DisplacementCurve {
 
 /// Reads `speed_rpm`, `axial_displacement_um` and, if present, `std_um` from a CSV file of `raceway
 /// displacement` or of a rig; "-" is standard input. Other columns are ignored. A row without a
-/// displacement is ignored if its column `status` is not "converged". `notes` lists the ignored
-/// columns and rows.
+/// displacement is ignored if the file has a column `status` and the text in this column is not
+/// "converged". `notes` lists the ignored columns and rows.
 ///
-/// Throws InputError like read_csv(), if `speed_rpm` or `axial_displacement_um` is missing, and if
-/// cells of these columns in the other rows are empty, not numbers or outside the allowed range.
-/// One message shows the first ten faulty cells and gives the number of the others.
+/// Throws InputError like read_csv(), and if `speed_rpm` or `axial_displacement_um` is missing.
+/// Also throws InputError if a cell of a used row is empty, not a number or outside the allowed
+/// range. The message shows the first ten invalid cells and gives the number of all invalid cells.
 [[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
 
 /// Returns a table as CSV text with the columns speed_rpm, axial_displacement_um and slope_um_rpm.
-/// A comment line in the text states the interpolation rule. `source` is the name of the curve from
-/// which the table was made.
+/// A comment line in the text states the interpolation rule. `source` is the name of the original
+/// curve.
 [[nodiscard]] std::string displacement_table_text(const shaft::DisplacementTable& table,
                                                   std::string_view source);
 

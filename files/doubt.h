@@ -15,27 +15,27 @@ namespace raceway::files {
 
 /// A question to the user about a possible fault of a record, such as a wrong unit.
 struct Doubt {
-  /// A quantity whose column may be in a different unit.
+  /// Possible unit of a column.
   struct Guess {
     const record::Channel* channel;
-    std::string_view unit;  ///< other unit as written in files: "kgf"
+    std::string_view unit;  ///< possible unit as written in files: "kgf"
   };
   std::string text;
   std::vector<Guess> units{};  ///< possible units; empty if the question is not about a unit
 };
 
 /// Returns the question whether a temperature column is in `unit`, "K" or "F". `from` and `to` are
-/// the limits of its values as they were read [C].
+/// the lowest and highest value of the column, as they were read [C].
 [[nodiscard]] Doubt other_temperature(const record::Channel& channel, double from, double to,
                                       std::string_view unit);
 
-/// Returns the record with the values of a channel read in a different unit.
+/// Returns the record that results if the column of `channel` is read in `unit`.
 [[nodiscard]] record::Record in_other_unit(record::Record data, const record::Channel& channel,
                                            const text::Unit& unit);
 
-/// Throws InputError for questions about the unit of a column of `source`, unless [columns] states
-/// this unit. The message contains each question and the line of [columns] that answers it. All
-/// other questions are returned as notes.
+/// Throws InputError if a question is about the unit of a column in the file `source`, and the user
+/// has not stated this unit in the table [columns]. The message contains each such question and the
+/// line of [columns] that answers it. Returns all other questions as notes.
 [[nodiscard]] std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts,
                                                     const Source& source,
                                                     const ReadOptions& options);

@@ -10,8 +10,8 @@
 #include "record/parameter.h"
 #include "record/units.h"
 
-/// Defines tables of the keys of model files. Each reader has its own tables; files/key_tables.h
-/// lists them all.
+/// Types for the tables of keys in model files. Each reader of a model file defines its own tables.
+/// files/key_tables.h collects all tables.
 namespace raceway::files {
 
 /// Kind and allowed values of a key in a model file.
@@ -19,10 +19,10 @@ struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
   double lower = unset, upper = unset;  ///< smallest and largest allowed number, in `unit`
   std::string_view unit{};              ///< unit of a number; "" if dimensionless
-  std::string_view words{};  ///< allowed texts, "rigid|spring"; "" if any text is allowed
+  std::string_view words{};  ///< allowed texts, such as "rigid|spring"; "" if any text is allowed
   bool whole = false;        ///< true: the number must be whole
 
-  /// Returns the allowed texts as a list, empty if any text is allowed.
+  /// Returns the allowed texts as a list; empty if any text is allowed.
   [[nodiscard]] std::vector<std::string> choices() const {
     std::vector<std::string> list;
     for (std::size_t begin = 0, end = 0; end < words.size(); begin = end + 1) {
@@ -37,11 +37,11 @@ struct Required {};
 
 /// Default for a key that a model file does not contain.
 struct Default {
-  /// Default number, in the unit of the key. If it is NaN and `words` is empty, the key has no
+  /// Default number, in the unit of the key. If `value` is NaN and `words` is empty, the key has no
   /// default.
   double value = unset;
   std::string_view words{};  ///< one of the allowed texts, or a description of the default
-  bool required = false;     ///< true: the key has no default, and its table must contain it
+  bool required = false;     ///< true: no default; the table must contain the key
 
   constexpr Default() = default;
   template <std::floating_point Number>
@@ -53,12 +53,14 @@ struct Default {
 };
 
 struct Key {
-  std::string_view name;  ///< name with unit; capitals such as NAME stand for a name of the user
+  /// Name with unit. A part in capitals, such as NAME, is a placeholder for a name that the user
+  /// chooses.
+  std::string_view name;
   Form form;
   Default fallback;
   std::string_view meaning;
 
-  /// Returns the key with another name and unit.
+  /// Returns a copy of this key with another name and unit.
   [[nodiscard]] constexpr Key as(std::string_view other, std::string_view unit) const {
     Key key = *this;
     key.name = other;
@@ -73,7 +75,9 @@ struct KeyTable {
   /// that the user chooses.
   std::string_view name;
   std::span<const Key> keys;
-  std::string_view only{};  ///< restriction to some models: "of a spindle", "law skf"; "" if none
+  /// Models that can contain the table, in words such as "of a spindle" or "law skf"; "" if every
+  /// model can contain the table.
+  std::string_view only{};
 };
 
 // Helpers for writing tables of keys.

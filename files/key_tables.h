@@ -11,8 +11,8 @@ namespace raceway::files {
 
 /// A key of model files and the name of its table.
 struct ListedKey {
-  std::string_view table;  ///< name of the table, as in KeyTable
-  std::string_view only;   ///< restriction of the table, as in KeyTable
+  std::string_view table;  ///< name of the table: see KeyTable
+  std::string_view only;   ///< models that may have the table: see KeyTable
   Key key;
 
   [[nodiscard]] std::string meaning() const;
@@ -21,11 +21,10 @@ struct ListedKey {
   [[nodiscard]] std::string fallback() const;
 };
 
-/// Returns the key tables that files/correction_file.h reads.
+/// Returns the tables of the keys in a correction file.
 [[nodiscard]] std::vector<KeyTable> correction_tables();
 
-/// Returns every key of model files, table by table. The parameters of effects are not included;
-/// the catalogues of effects list them.
+/// Returns all keys of model files, table by table. The parameters of effects are not included.
 [[nodiscard]] std::vector<ListedKey> model_keys();
 
 /// Returns the keys as a JSON document, `keys [{table, key, kind, unit, from, to, whole_number,

@@ -28,9 +28,10 @@ struct ModelDatum {
 /// All numbers that a model uses: numbers in the model file, defaults, and numbers of the catalogue
 /// bearing that the file names.
 ///
-/// Not included are defaults that are calculated from other numbers (such as the bore from pitch
-/// diameter and ball diameter), numbers that no prediction uses (such as in [calibration] and
-/// [columns]), settings of [solver], and the number of bearings in a set.
+/// These numbers are not included: defaults that are calculated from other numbers (such as the
+/// bore, from pitch diameter and ball diameter), numbers that no prediction uses (such as those in
+/// the tables [calibration] and [columns]), the settings in [solver], and the number of bearings in
+/// a set.
 class ModelData {
  public:
   /// Throws InputError like read_model().
@@ -38,13 +39,14 @@ class ModelData {
 
   [[nodiscard]] const std::vector<ModelDatum>& data() const { return data_; }
 
-  /// Returns the index in data() of the number with this name. The table in the name may be omitted
-  /// if only one table has the key. Throws InputError with similar names for an unknown name.
+  /// Returns the index in data() of the number with this name. The name of the table may be omitted
+  /// if only one table has this key: "ball_diameter_mm". Throws InputError for an unknown name; the
+  /// message lists similar names.
   [[nodiscard]] std::size_t find(std::string_view name) const;
 
-  /// Returns the model with new values for some numbers. A change is an index in data() and the new
-  /// value. Throws InputError for invalid values, like read_model(). Several threads may call this
-  /// function at the same time.
+  /// Returns the model with new values for some numbers. Each element of `changes` is an index in
+  /// data() and the new value. Throws InputError for invalid values, like read_model(). Several
+  /// threads may call this function at the same time.
   [[nodiscard]] ModelFile with(std::span<const std::pair<std::size_t, double>> changes) const;
 
  private:
@@ -53,24 +55,26 @@ class ModelData {
   std::vector<ModelDatum> data_;
 };
 
-/// Spread (possible error upwards and downwards) of a number of a model, as the user writes it:
-/// "0.01" in the unit of the number, or "10%" of its value.
+/// Spread of a number of a model: the possible error of the number in both directions, as the user
+/// writes it. The text "0.01" is in the unit of the number; the text "10%" is a percentage of the
+/// value.
 struct SpreadText {
-  std::string name;
+  std::string name;  ///< name of the number, in a form that ModelData::find() accepts
   std::string text;
 };
 
 /// Parses a list such as "ball_diameter_mm=0.01,lubricant.viscosity_40C_mm2_s=10%". Throws
-/// InputError for a text of another form.
+/// InputError if an element of the list does not have the form name=spread.
 [[nodiscard]] std::vector<SpreadText> parse_spreads(const std::string& list);
 
-/// Reads spreads from a file with the tables and keys of a model file. The value of a key is the
-/// spread of this number, or a text such as "10%". Throws InputError for other values and for a
-/// file that cannot be read.
+/// Reads spreads from a TOML file. The file has the tables and keys of a model file, but each key
+/// contains a spread: `ball_diameter_mm = 0.01` or `ball_diameter_mm = "10%"`. Throws InputError if
+/// a key contains anything other than a number or a text, and for a file that cannot be read.
 [[nodiscard]] std::vector<SpreadText> read_spreads(const std::string& path);
 
-/// Returns the spread of a number, in its unit; `value` is the number. Throws InputError if the
-/// spread is not a number, is negative, or is a percentage of 0.
+/// Converts a spread to the unit of the number. A spread in percent refers to `value`, the value of
+/// the number. Throws InputError if the spread is not a number, is negative, or is a percentage of
+/// 0.
 [[nodiscard]] double spread_of(const SpreadText& spread, double value);
 
 }  // namespace raceway::files

@@ -6,18 +6,18 @@
 
 namespace raceway::files {
 
-/// A file that a model names, with its contents when the model was read.
+/// A file that a model names, with the contents that it had when the model was read.
 struct NamedFile {
   std::string name;  ///< name in the model: absolute, or relative to the folder of the model
   std::string path;  ///< absolute path
   std::string text;  ///< content of the file
 };
 
-/// Reader of the files that a model names. Each file is read once.
+/// Reads the files that a model names, each file only once.
 class NamedFiles {
  public:
-  /// `model` is the path of the model. File names are relative to its folder. The contents of files
-  /// in `held` are not read again.
+  /// `model` is the path of the model. File names are relative to the folder of the model. `held`
+  /// contains files whose contents are already known; these files are not read again.
   explicit NamedFiles(const std::string& model, std::vector<NamedFile> held = {});
 
   /// Returns the file with this name. Throws InputError like read_text().
@@ -32,8 +32,9 @@ class NamedFiles {
   std::vector<NamedFile> held_, read_;
 };
 
-/// Returns the text of a model to be saved at `path`. The names of `files` in the text become
-/// relative to the folder of `path`, or absolute if `path` is empty. Nothing else changes.
+/// Changes the file names in the text of a model file, so that they remain valid if the text is
+/// saved at `path`. `files` contains the named files. The names become relative to the folder of
+/// `path`, or absolute if `path` is empty. The rest of the text does not change.
 [[nodiscard]] std::string with_names_from(std::string text, const std::vector<NamedFile>& files,
                                           const std::string& path);
 

@@ -15,17 +15,19 @@ struct NewCorrection {
 };
 
 /// Makes a first correction file for the displacements of a time record. The file has one channel
-/// for each temperature that varies by more than 0.5 K. If there is no such temperature, the file
-/// has one channel for the speed, if the speed varies. If there are more than four such
-/// temperatures, the file has no channel, and a comment gives the command for a bank of lags.
+/// for each temperature that varies by more than 0.5 K. If more than four temperatures vary, the
+/// file has no channel, and a comment gives the command for a bank of lags. If no temperature
+/// varies, the file has one channel for the speed. If the speed does not vary either, the file has
+/// no channel.
 ///
-/// Assumed values are marked: the tolerance is a tenth of the range of the displacement, but at
-/// least 0.1 um; a time constant is a tenth of the longest run; and the gains divide the range of
-/// the displacement equally among the channels. If the column names are not those that raceway
-/// reads, the file has a table [columns], as from suggested_columns(). Rules in `options.columns`
-/// are kept. A doubtful unit leads only to a note, because the file contains no results.
+/// Assumed values are marked as assumed. The tolerance is a tenth of the range of the displacement,
+/// but at least 0.1 um. The time constants are a tenth of the duration of the longest run. The
+/// assumed gains give every channel the same share of the range of the displacement. If raceway
+/// does not know the column names of the record, the file also has the table [columns] of
+/// suggested_columns(). This table also contains the entries of `options.columns`. A doubtful unit
+/// of a column causes a note and not an error, because the file contains no results.
 ///
-/// Throws InputError like read_series(), and if no column is a displacement.
+/// Throws InputError if read_series() rejects the record, or if no column is a displacement.
 [[nodiscard]] NewCorrection new_correction(const Source& record, const ReadOptions& options);
 
 }  // namespace raceway::files

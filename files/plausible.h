@@ -5,17 +5,17 @@
 
 #include "bearing/geometry.h"
 
-/// Checks values that are allowed but unlikely. Each function returns one line that states the
-/// likely cause, or an empty text for a usual value.
+/// Finds values that are allowed but unlikely, such as a temperature in the wrong unit. Each
+/// function returns one line that states the likely cause, or an empty text for a usual value.
 namespace raceway::files {
 
-/// Checks whether a temperature is unlikely in C but usual in K.
+/// Checks if a temperature in C is unlikely, and would be usual if the number were in K.
 [[nodiscard]] std::string looks_like_kelvin(std::string_view name, double temperature_C);
 
-/// Checks whether lengths of a bearing are in inches. The ball diameter is probably in inches if
-/// the balls fill a far too small fraction of the pitch circle. All lengths are probably in inches
-/// if the load rating is far too high for the size of the balls. In both cases, the text is empty
-/// unless the lengths, converted from inches, give a usual fraction or rating.
+/// Checks if the lengths of a bearing are probably in inches. In two cases, a conversion from
+/// inches makes an unlikely value usual. In the first case, the balls fill a far too small part of
+/// the pitch circle, so the ball diameter is probably in inches. In the second case, the static
+/// load rating is far too high for the size of the balls, so all lengths are probably in inches.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

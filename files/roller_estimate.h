@@ -13,15 +13,17 @@ namespace raceway::files {
 /// NN3014.
 [[nodiscard]] bool names_rollers(std::string_view designation);
 
-/// A cylindrical roller bearing of series N10 with estimated rollers. Manufacturers do not publish
-/// the roller dimensions of this series.
+/// A cylindrical roller bearing of series N10 with estimated roller dimensions, because
+/// manufacturers do not publish them for this series.
 struct EstimatedRollers {
   std::string designation{};
   bearing::RollerGeometry geometry{};
   /// Published values: diameter E of the outer raceway [m] and load ratings C and C0 [N]. All three
-  /// are NaN if the rollers are estimated only from the boundary dimensions.
+  /// are NaN for a size without published values; the rollers are then estimated from the boundary
+  /// dimensions alone.
   double outer_raceway = unset, dynamic_rating = unset, static_rating = unset;
 
+  /// Returns true if published values were used for the estimate.
   [[nodiscard]] bool printed() const { return !std::isnan(outer_raceway); }
 };
 
@@ -32,7 +34,7 @@ struct EstimatedRollers {
 ///   published sizes   D_w = E - d_m,   Z = C0/(44 (1 - γ) L D_w), rounded
 ///   other sizes       D_w = 0.485 (D - d)/2, rounded to 0.5 mm,   Z = 0.71 π d_m/D_w, rounded
 ///
-/// γ = D_w/d_m. In the formula for Z from C0, C0 is in N, and lengths are in mm.
+/// γ = D_w/d_m. In the formula with C0, C0 is in N, and lengths are in mm.
 ///
 /// Accuracy: the load rating C calculated with these rollers agrees with the published C within
 ///           2.1 % for eight of eleven sizes. The calculated C is 5.6 % too high for N1013 and 16 %
@@ -41,7 +43,7 @@ struct EstimatedRollers {
 [[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation);
 
 /// Returns the text of a model file with comments and the defaults of the friction law. Every
-/// estimated value is marked. `oil` is the ISO VG grade of the oil.
+/// estimated value is marked as estimated. `oil` is the ISO VG grade of the oil.
 [[nodiscard]] std::string estimated_model_text(const EstimatedRollers& bearing,
                                                friction::FrictionLaw law,
                                                std::string_view roller_material = "steel",

@@ -9,7 +9,7 @@
 #include "record/note.h"
 #include "rig/sensor_calibration.h"
 
-/// Reads the calibration readings of a torque sensor, and writes the result.
+/// Reads the calibration readings of a torque sensor, and writes the calibration.
 namespace raceway::files {
 
 /// Calibration readings of a torque sensor in the order of the file.
@@ -19,10 +19,10 @@ struct SensorReadings {
   std::vector<record::Note> notes = {};  ///< notes for the user
 };
 
-/// Reads `reference_Nm` and `signal_V` from a CSV file; "-" is standard input. The column of the
-/// signal may also be `torque_signal_V`, as in a record. Other columns are ignored, and `notes`
-/// lists them. Throws InputError like read_csv(), for a missing column, and for cells that are
-/// empty, not numbers or outside the allowed range.
+/// Reads the columns `reference_Nm` and `signal_V` from a CSV file; "-" is standard input. The
+/// signal may also be in a column `torque_signal_V`, as in a record. Other columns are ignored, and
+/// `notes` lists them. Throws InputError if read_csv() cannot read the file, if a column is
+/// missing, or if a cell is empty, not a number or outside the allowed range.
 [[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
 
@@ -30,8 +30,8 @@ struct SensorReadings {
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
                                              std::string_view source);
 
-/// Returns the unit of a coefficient of the calibration polynomial: "V" for 0, then "V/Nm",
-/// "V/Nm2", "V/Nm3".
+/// Returns the unit of a coefficient of the calibration polynomial: "V" for coefficient 0, "V/Nm"
+/// for 1, "V/Nm2" for 2, and "V/Nm3" for 3.
 [[nodiscard]] std::string coefficient_unit(int coefficient);
 
 /// Returns the calibration as a JSON document (docs/files.md).

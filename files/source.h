@@ -10,14 +10,15 @@
 
 namespace raceway::files {
 
-/// A file to read, or its replacement: a text, or columns of measurements.
+/// Source of data: a file, a text, or columns of measurements.
 struct Source {
-  std::string name;                         ///< path of the file, or a name for messages
-  std::shared_ptr<const std::string> text;  ///< null: the text is read from the file
+  std::string name;  ///< path of the file, or a name for messages
+  /// Content of the file; null if it has not been read.
+  std::shared_ptr<const std::string> text;
   /// Columns of measurements; null if they are read from the text or the file.
   std::shared_ptr<const text::CsvTable> table;
-  /// Files that a model names, with their contents when the model was read. Other files are read
-  /// from disk.
+  /// Files that a model names, with the contents that they had when the model was read. All other
+  /// files are read from disk.
   std::vector<NamedFile> files{};
   /// Other files of the same time record, each with its own rows and times.
   std::vector<Source> beside{};
@@ -32,8 +33,8 @@ struct Source {
       : name(columns->source), table(std::move(columns)) {}
 };
 
-/// Returns a source that can be read several times: for standard input and pipes, their contents as
-/// a text.
+/// Returns a source that can be read several times. Standard input and pipes are read, and the
+/// result contains their text.
 [[nodiscard]] Source repeatable(const Source& source);
 
 }  // namespace raceway::files

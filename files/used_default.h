@@ -12,13 +12,14 @@ namespace raceway::files {
 /// assumed or estimated.
 struct UsedDefault {
   enum class Origin {
-    marked,     ///< value in the file that the comment `why` marks
+    marked,     ///< value in the file, marked as assumed or estimated by the comment `why`
     key,        ///< default of the key
     catalogue,  ///< value of the catalogue bearing that the file names
     derived,    ///< value that is calculated from other values, as `why` states
   };
-  std::string table, key;  ///< table and key; table `effect[0]` is the first effect
-  std::string value;       ///< value as written in a model file, or a description
+  /// Table and key in the model file; the table of the first effect is `effect[0]`.
+  std::string table, key;
+  std::string value;  ///< value as written in a model file, or a description
   Origin origin = Origin::key;
   std::string why = {};  ///< reason for the value; empty for Origin::key
 
@@ -28,8 +29,8 @@ struct UsedDefault {
     return fmt::format("{}.{} = {}{}", table, key, value,
                        why.empty() ? "" : fmt::format(" ({})", why));
   }
-  /// Returns a line such as `solver.tilt = "locked" (default)`. A reason replaces the word
-  /// "default".
+  /// Returns a line such as `solver.tilt = "locked" (default)`. If there is a reason, it stands in
+  /// place of the word "default".
   [[nodiscard]] std::string line() const {
     return short_line() + (why.empty() ? " (default)" : "");
   }

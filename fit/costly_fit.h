@@ -11,89 +11,96 @@
 /// Fits models with slow predictions (Subject::is_costly()).
 namespace raceway::fit {
 
-/// Result of a fit, with the derivatives of all means (Means) with respect to the parameters (means
-/// x parameters).
+/// Result of a fit to means of readings (Means).
 struct CostlyFit {
   SeparableFit fit{};
+  /// Derivatives of the predicted means with respect to the parameters (means x parameters).
   Eigen::MatrixXd slope{};
-  /// Point at which this fit started; null for a fit that continues another fit.
+  /// Start of this fit: parameter values, residuals and derivatives. Null for a fit that continues
+  /// another fit.
   std::shared_ptr<const CostlyFit> begin{};
 };
 
-/// Rules that end a fit.
+/// Conditions under which a fit ends.
 struct CostlyEnd {
-  double settled = 1e-4;  ///< relative fall of the misfit below which a step is no progress [1]
-  /// If a step is no progress and the misfit is above this value, the fit ends without computing
-  /// new derivatives for another step.
+  double settled = 1e-4;  ///< smallest relative decrease of the misfit that counts as progress [1]
+  /// Misfit above which the fit ends at the first step without progress (see `settled`). Below this
+  /// misfit, the fit first computes new derivatives and tries one more step.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// True if the fit stops as soon as the derivatives predict a relative fall below `settled`. The
-  /// last step is then an extrapolation without a prediction, and the misfit is approximate.
+  /// True if the fit stops as soon as the derivatives predict a relative decrease of the misfit
+  /// below `settled`. The fit then takes this last step without a new prediction, so that the final
+  /// misfit is approximate.
   bool rough = false;
 };
 
-/// Fits the named parameters: minimises the sum of the squared weighted residuals of means by the
-/// method of Levenberg and Marquardt. A parameter has a logarithmic scale if its bounds span more
-/// than a decade; otherwise it is divided by its typical size. Derivatives are difference quotients
-/// with a step of 0.02 on the logarithmic scale, or of 0.2 typical sizes. These steps are so large
-/// that neither the tolerance of a simulation nor its step sizes disturb the derivatives. After
-/// each step, a rank-one update corrects the derivatives (Broyden 1965). A typical fit needs two
-/// predictions for each parameter, plus four. Several threads must not use one object at the same
-/// time.
+/// Fits the parameters with the names that the constructor receives. The method of Levenberg and
+/// Marquardt minimises the sum of the squared weighted residuals of the means. A parameter has a
+/// logarithmic scale if its bounds span more than a decade. Any other parameter is divided by its
+/// typical size (Parameter::scale).
+///
+/// Derivatives are difference quotients with a step of 0.02 on the logarithmic scale, or of 0.2
+/// typical sizes. The steps are large, so that numerical errors of the simulation have little
+/// influence on the derivatives. After each step of the fit, a rank-one update corrects the
+/// derivatives (Broyden 1965). A typical fit with n parameters needs 2 n + 4 predictions. Several
+/// threads must not use one object at the same time.
 class CostlyProblem {
  public:
-  /// The arguments are as in the constructor of Separable.
   CostlyProblem(const Subject& subject, const Record& record,
                 const std::shared_ptr<const void>& prepared, const Means& means,
                 const std::vector<std::string>& names);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
+  /// Fits all parameters, starting from the values `start`.
   [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, const CostlyEnd& end) const;
-  /// Fits a model with candidates, starting from `base`, the fit without them. The parameters of
-  /// `base` come first, then the parameters of the candidates. `sizes` are the indices of the
-  /// parameters that give the candidates their sizes. `initial` contains start values of all
-  /// parameters, with sizes that differ from their neutral values. If a size ends at a bound, or
-  /// the misfit falls by less than 10 %, a second fit begins at the values at which `base` started,
-  /// because the fitted values of `base` may compensate for the missing effect. The second fit runs
-  /// only if these two sets of values are far apart and the derivatives predict a smaller misfit.
+  /// Fits a model with candidate effects. The fit starts from `base`, the fit without candidates.
+  /// The parameters of `base` come first, then the parameters of the candidates. `sizes` contains
+  /// the indices of the size parameters of the candidates. `initial` has an entry for each
+  /// parameter, but the function uses only the start values of the candidates.
+  ///
+  /// If a fitted size lies at a bound, or if the misfit falls by less than 10 %, the fitted values
+  /// of `base` may compensate for the missing effect. A second fit then starts from
+  /// CostlyFit::begin, the start of `base`. The second fit is skipped if this start is close to the
+  /// fitted values. It is also skipped if the derivatives at this start predict that the candidates
+  /// lower the misfit by less than 5 %. The result is the fit with the smaller misfit.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
-  /// Continues `fit`, a fit of all parameters, until `end`.
+  /// Continues the iteration of an earlier fit of all parameters.
   [[nodiscard]] CostlyFit onwards(const CostlyFit& fit, const CostlyEnd& end) const;
 
  private:
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values) const;
   /// Returns the derivatives of the means with respect to the scaled parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
-  /// Returns the derivative of the means with respect to a scaled parameter, from a step of `by`,
-  /// or of -`by` if a bound prevents the step. If `better` is given, it receives the fit after
-  /// the step if this fit has a smaller misfit than `*better`.
+  /// Returns the derivative of the means with respect to a scaled parameter. The function changes
+  /// the parameter by `by`, or by -`by` if a bound prevents this change. If this change gives a
+  /// smaller misfit than `*better`, `*better` receives the changed fit. `better` may be null.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
-  /// Continues the fit from `best` until `end`. `slope` contains derivatives with respect to scaled
-  /// parameters. `is_fresh` is true if these derivatives are difference quotients at `best`.
+  /// Continues the fit from `best`. `slope` contains derivatives with respect to scaled parameters.
+  /// `is_fresh` is true if these derivatives are difference quotients at `best`.
   [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
                                   const CostlyEnd& end) const;
-  /// Switches the candidates on at the fitted values of `base`, a fit without them, and computes
-  /// the derivatives with respect to their sizes. For each candidate, the function predicts the
-  /// readings with a changed size. The result contains the parameter values with the smallest
-  /// misfit among these predictions and the prediction without candidates.
+  /// Starts a fit with candidates at the fitted values of `base`, the fit without candidates. For
+  /// each candidate, the function changes the size, predicts the readings, and computes the
+  /// derivative with respect to the size. The result has the parameter values of the prediction
+  /// with the smallest misfit, or of `base` if no prediction has a smaller misfit.
   [[nodiscard]] CostlyFit with_candidates(const CostlyFit& base, const Eigen::VectorXd& initial,
                                           const std::vector<std::size_t>& sizes) const;
   [[nodiscard]] bool is_far(const CostlyFit& base) const;
-  /// Returns true if the candidates lower the misfit of a linearised fit by more than 5 %. The fit
-  /// starts at `from`, a fit without candidates. The derivatives with respect to the candidates are
-  /// taken from `first`, so no prediction is needed.
+  /// Returns true if the candidates lower the misfit of a linearised fit by more than 5 %. The
+  /// linearised fit starts at `from`, a fit without candidates. The derivatives with respect to the
+  /// parameters of the candidates come from `first`, the result of with_candidates().
   [[nodiscard]] bool gains(const CostlyFit& from, const CostlyFit& first,
                            const std::vector<std::size_t>& sizes) const;
-  /// Scaled values of the parameters, and the limits of their next steps.
+  /// Scaled values of all parameters, and limits of these values in the next step.
   struct Range {
     Eigen::VectorXd here, lower, upper;
   };
   [[nodiscard]] Range range_of(const Eigen::VectorXd& values) const;
   void find_bounds(SeparableFit& fit) const;
   [[nodiscard]] Eigen::MatrixXd on_scales(Eigen::MatrixXd slope, const Eigen::VectorXd& at) const;
-  /// Returns the change of the parameter per unit of its scaled value, in the unit of the
-  /// parameter.
+  /// Returns the derivative of a parameter with respect to its scaled value, at the parameter value
+  /// `value`.
   [[nodiscard]] double unit_of(std::size_t parameter, double value) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;
@@ -105,9 +112,9 @@ class CostlyProblem {
   mutable std::vector<double> all_;  // readings by row
 };
 
-/// Returns the residuals of all means [SI], reading minus prediction, after a refit without the
-/// means of one block. The refit uses the derivatives in `fit` and needs no new prediction.
-/// Parameters stay within their bounds.
+/// Returns the residuals of all means [SI], reading minus prediction, after a linearised fit that
+/// omits the means of the block `block`. This fit uses the derivatives in `fit` and needs no new
+/// prediction. Parameters stay within their bounds.
 [[nodiscard]] Eigen::VectorXd left_of_block(const CostlyFit& fit,
                                             const std::vector<Parameter>& parameters,
                                             const Means& means, int block);

@@ -6,8 +6,8 @@
 
 namespace raceway::fit {
 
-/// Covariance matrix of parameters that were fitted together. Parameters have the units of the
-/// files.
+/// Covariance matrix of parameters that were fitted together. The parameters have the units of the
+/// model files.
 struct Covariance {
   std::vector<std::string> names;
   Eigen::VectorXd values;  ///< fitted values of the parameters
@@ -15,7 +15,7 @@ struct Covariance {
 
   /// Returns the standard deviation of one parameter.
   [[nodiscard]] double std(std::size_t parameter) const;
-  /// Returns the correlation of two parameters [1]; 0 if one of them has no variance.
+  /// Returns the correlation of two parameters [1]; 0 if a parameter has no variance.
   [[nodiscard]] double correlation(std::size_t first, std::size_t second) const;
 };
 

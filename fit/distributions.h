@@ -1,8 +1,6 @@
 #pragma once
 
-/// Probabilities and quantiles of the distributions that tests need. The functions are compiled
-/// only once, because the distributions of Boost.Math add seconds to the compilation of every file
-/// that includes them.
+/// Probabilities and quantiles of distributions for statistical tests.
 ///
 /// Degrees of freedom are positive and need not be whole numbers. Each function throws
 /// std::domain_error for arguments outside its domain.
@@ -13,8 +11,8 @@ namespace raceway::fit {
 /// Returns the probability that a χ² variable with these degrees of freedom is below x; x >= 0.
 [[nodiscard]] double chi_squared_below(double degrees, double x);
 
-/// Returns the probability that an F variable exceeds x; x >= 0. `degrees` belongs to the
-/// numerator, `error_degrees` to the denominator.
+/// Returns the probability that an F variable exceeds x; x >= 0. `degrees` and `error_degrees` are
+/// the degrees of freedom of its numerator and its denominator.
 [[nodiscard]] double f_above(double degrees, double error_degrees, double x);
 
 /// Returns the probability that a Student t variable with these degrees of freedom exceeds x.

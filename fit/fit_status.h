@@ -9,7 +9,7 @@ enum class FitStatus {
   converged,
   iteration_limit,
   failed,         ///< the fit stopped without reaching a minimum
-  nothing_to_fit  ///< no parameter is free, or all are held at their start values
+  nothing_to_fit  ///< no parameter is free, or the fit keeps every parameter at its start value
 };
 
 /// Returns the status as the JSON results state it, for example "iteration_limit".

@@ -8,32 +8,35 @@
 
 namespace raceway::fit {
 
-/// Returns Judged::blockings(), in which Blocking::block has one entry for each observation instead
-/// of each row.
+/// Returns the divisions into blocks for hold-out tests, as Judged::blockings() does, but with one
+/// entry of Blocking::block for each observation instead of each row.
 [[nodiscard]] std::vector<Blocking> blocks_of_observations(const Judged& subject,
                                                            const Record& record,
                                                            const Observations& observed);
 
 /// Returns the held-out error of each observation [SI], reading minus prediction. The prediction
-/// comes from a refit to all blocks except the block of the observation. The refit is linearised at
-/// `fit`, which is exact if the readings are linear in the parameters. The refit weights each
-/// residual by 1/`std` and keeps parameters at a bound fixed. If the other blocks have no more
-/// readings than the refit has parameters, the error is the residual of `fit`.
+/// comes from a refit to all blocks except the block of the observation. The refit uses the
+/// predictions linearised at `fit`, so it is exact if the predictions are linear in the parameters.
+/// It weights each residual by 1/`std`, and it does not change parameters that are at a bound in
+/// `fit`. If the other blocks have too few readings to determine the refitted parameters, the error
+/// is the residual of `fit`.
 [[nodiscard]] Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit,
                                               const Eigen::VectorXd& measured,
                                               const Eigen::VectorXd& std, const Blocking& blocking);
 
 /// Hold-out test: comparison of the held-out errors of a model before and after a change.
 struct HoldOut {
-  std::string variable;
+  std::string variable;  ///< quantity that divides the rows into blocks (Blocking::variable)
   std::vector<double> rmse_before{}, rmse_after{};  ///< held-out RMS error of each channel [SI]
-  /// Mean fall of the squared error divided by the noise variance [1], and its 95 % interval from a
-  /// bootstrap of the blocks.
+  /// Mean decrease of the squared error, divided by the noise variance [1]. `lower` and `upper` are
+  /// the limits of the 95 % confidence interval, from a bootstrap of the blocks.
   double improvement = unset, lower = unset, upper = unset;
   [[nodiscard]] bool better() const { return improvement > 0.0; }
   [[nodiscard]] bool worse() const { return upper < 0.0; }
 };
 
+/// Compares the held-out errors of a model `before` and `after` a change [SI]. `std` contains the
+/// standard deviations of the readings [SI].
 [[nodiscard]] HoldOut compare_held_out(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                                        const Eigen::VectorXd& std, const Observations& observed,
                                        const Blocking& blocking);
@@ -43,8 +46,9 @@ struct HoldOut {
 [[nodiscard]] std::vector<double> rms_over(const std::vector<HoldOut>& results,
                                            std::vector<double> HoldOut::*rmse);
 
-/// Returns true if the changed model is better in at least two hold-out tests (or in all, if there
-/// are fewer) and significantly worse in none.
+/// Returns true if the changed model is better in at least two hold-out tests and significantly
+/// worse in none. If there is only one test, the changed model must be better in this test; without
+/// tests, the result is true.
 [[nodiscard]] bool confirmed(const std::vector<HoldOut>& results);
 
 }  // namespace raceway::fit

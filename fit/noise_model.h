@@ -10,38 +10,47 @@
 
 namespace raceway::fit {
 
-/// Noise of the readings of one channel: its size, its growth with the reading and its correlation.
+/// Noise of the readings of one channel: size, growth with the reading, and correlation.
 ///
 ///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
-/// s_i is the standard deviation of reading y_i, and n_i the value of the swept input, usually the
-/// speed. For single rows, a_i is 1. For means over dwells, a_i comes from the scatter within the
-/// dwell, and this part of the noise is independent of other readings. b_i is the change of reading
-/// i when each input that scatters changes by its step (record::step_of()). All a_i are divided by
-/// their RMS, and so are all b_i. The class Whitening describes the correlation of the noise. If
-/// standard deviations are declared, they give the relative sizes of all s_i. The noise is
+/// s_i is the standard deviation of reading y_i, and n_i the value of the swept input. The swept
+/// input is the first setting that varies by more than a factor of 1.5, usually the speed. For
+/// single rows, a_i is 1. For means over dwells, a_i comes from the scatter within the dwell. b_i
+/// is the change of reading i if every input that scatters changes by its step (record::step_of());
+/// the changes by several inputs are added as squares. The a_i are scaled so that their RMS is 1.
+/// The b_i are scaled in the same way. The scatter within dwells and the scatter of inputs are not
+/// correlated between readings. The class Whitening describes the correlation of the noise.
+/// Declared standard deviations, if there are any, give the relative sizes of all s_i. The noise is
 /// estimated from the residuals of a saturated regression (Saturation). The misfit of a physical
-/// model is never used, because missing physics would then appear as noise.
+/// model is never used, because a missing effect would then appear as noise.
 struct NoiseModel {
   /// Proportional part of the standard deviation, divided by the reading, at the largest value
   /// n_max of the swept input [1].
   double relative = 0.0;
-  double growth = 0.0;             ///< p: exponent of the swept input [1]
-  const Channel* swept = nullptr;  ///< n: swept input; null if none is swept over a wide range
+  double growth = 0.0;             ///< p, exponent of n/n_max [1]
+  const Channel* swept = nullptr;  ///< n: swept input; null if no setting varies enough
   double largest_swept = unset;    ///< n_max: largest value of the swept input [SI]
-  double absolute = 0.0;           ///< RMS of the noise that does not grow with the reading [SI]
-  double input = 0.0;              ///< RMS of the noise from the scatter of inputs [SI]
-  double correlation = 0.0;  ///< φ: correlation of the noise at a distance of `median_step` [1]
-  double run_share = 0.0;    ///< share of the noise variance from an offset of each run [1]
-  /// Size of run offsets that are equal for all readings of a run [SI]. The variance of the offsets
-  /// is `run_share` times the square of this size. The size is 0 if the offset of a reading is
-  /// proportional to its standard deviation.
+  /// RMS of the part of the noise that does not grow with the reading [SI].
+  double absolute = 0.0;
+  /// RMS of the part of the noise that comes from the scatter of inputs [SI].
+  double input = 0.0;
+  /// Correlation φ between the noise at two times that differ by `median_step` [1].
+  double correlation = 0.0;
+  /// Share of the noise variance that comes from run offsets, the errors common to all readings of
+  /// a run [1].
+  double run_share = 0.0;
+  /// u: scale of run offsets that are equal for all readings of a run [SI]; see Whitening. The
+  /// variance of these offsets is `run_share` u². u is 0 if the run offset of each reading is
+  /// proportional to the standard deviation of this reading.
   double run_unit = 0.0;
-  double state_share = 0.0;           ///< share of the noise variance from dwell offsets [1]
+  /// Share of the noise variance that comes from dwell offsets, the errors common to all readings
+  /// of a dwell [1].
+  double state_share = 0.0;
   double degrees_of_freedom = unset;  ///< degrees of freedom of the estimated variance
   Whitening whitening{};
-  /// Whitenings with other noise parameters that the readings also allow. A verdict must be valid
-  /// with each of them.
+  /// Whitenings with other noise parameters that agree with the readings nearly as well. The
+  /// verdict of a diagnosis must be the same for each of these whitenings.
   std::vector<Whitening> allowed{};
   /// True if the data cannot show offsets of runs, for example because a setting changes whenever
   /// the run changes. `run_share` is then at least 0.5 (1 - `state_share`).
@@ -50,15 +59,15 @@ struct NoiseModel {
   /// (RowOrder::new_block).
   bool undeclared_blocks = false;
   bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
-  /// Indices of the outliers. They have a reduced weight, but the fit uses all of them.
+  /// Indices of the outliers. The fit uses outliers with a reduced weight.
   std::vector<std::size_t> outliers{};
-  /// Factor by which the standard deviations of each joined record are multiplied [1]; empty if all
-  /// records have the same scatter.
+  /// One factor for each joined record: the factor multiplies the standard deviations of its
+  /// readings [1]. Empty if all records have the same scatter.
   std::vector<double> records{};
   double rms = unset;          ///< RMS of the standard deviations s_i [SI]
   double median_step = unset;  ///< median time between readings; `correlation` refers to it [s]
-  /// F statistic and p-value of the test whether repeated readings scatter more than this noise
-  /// [1]; NaN below 8 degrees of freedom.
+  /// F statistic and p-value of a two-sided test that compares the scatter of readings at equal
+  /// inputs with this noise [1]. NaN if this scatter has fewer than 8 degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 
   /// Multiplies all standard deviations by a factor.
@@ -73,15 +82,14 @@ struct NoiseModel {
   [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
-/// Parts of the noise model. A part that is set to false is not used. To see the influence of a
-/// part, compare the results with and without the part.
+/// Parts of the noise model. The estimate omits each part that is set to false.
 struct NoiseOptions {
   bool correlation = true;
   bool runs = true;
   bool absolute = true;
   bool outliers = true;
   bool growth = true;
-  bool alternatives = true;  ///< false: NoiseModel::allowed is not searched and stays empty
+  bool alternatives = true;  ///< true: the function also determines NoiseModel::allowed
 };
 
 /// Readings of one channel, prepared for the estimate of their noise.
@@ -90,14 +98,15 @@ struct ChannelReadings {
   /// Declared standard deviations [SI]; empty unless every reading has one.
   Eigen::VectorXd std{};
   bool known = false;  ///< true if `std` is treated as exact (Column::known)
-  /// Change of each reading when each input that scatters changes by its step (record::step_of()):
-  /// root of the sum of squares over these inputs [SI]; empty if no input scatters.
+  /// b_i of NoiseModel before scaling: effect of the scatter of inputs on each reading [SI]. Each
+  /// input that scatters changes by its step (record::step_of()), and b_i is the root of the sum of
+  /// the squared changes of reading i. Empty if no input scatters.
   Eigen::VectorXd slope{};
-  /// Standard deviation of each mean over a dwell, up to a common factor [1]; empty if rows are not
-  /// means.
+  /// a_i of NoiseModel: relative sizes of the standard deviations if the rows are means over dwells
+  /// [1]; otherwise empty.
   Eigen::VectorXd within{};
-  /// Swept input and its value at each reading [SI, > 0]; null and empty if no input is swept over
-  /// a wide range.
+  /// Swept input and its value at each reading [SI, > 0]; null and empty if no setting varies
+  /// enough (see NoiseModel).
   const Channel* swept_by = nullptr;
   Eigen::VectorXd swept{};
   /// For each setting with 2 to 24 levels, the index of the level at each reading.
@@ -111,20 +120,21 @@ struct ChannelReadings {
 [[nodiscard]] ChannelReadings readings_of(const Record& record, const Observations& observed,
                                           std::size_t channel);
 
-/// Estimates the noise of one channel by restricted maximum likelihood. `columns` are the terms of
-/// the saturated regression at the readings [SI], with full rank. `size` is a typical size of each
-/// reading [SI, > 0]. An outlier is a reading whose residual is at least as improbable as a normal
-/// variable beyond 3.5 standard deviations. Its weight falls with the size of the residual, and it
-/// adds no degree of freedom. The function tests for growth of the scatter with the swept input
-/// before it calls a reading an outlier. If more of these readings lie at one level of a setting
-/// than chance explains, they are not outliers.
+/// Estimates the noise of one channel by restricted maximum likelihood. `columns` is a matrix of
+/// full rank with the terms of the saturated regression at the readings [SI]. `size` is a typical
+/// size of each reading [SI, > 0].
+///
+/// An outlier is a reading whose residual is as improbable as a normal variable beyond 3.5 standard
+/// deviations, or less probable. The weight of an outlier decreases with the size of its residual.
+/// Outliers do not add degrees of freedom. If such readings gather at one level of a setting, they
+/// are not treated as outliers, because the scatter is then larger at this level.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
-/// Returns the whitening with this noise for other readings of the channel. `size` is a typical
-/// size of each reading [SI].
+/// Returns the whitening of `readings`. `noise` was estimated from other readings of the same
+/// channel. `size` is a typical size of each reading [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 
@@ -132,13 +142,13 @@ struct ChannelReadings {
 /// the error is smaller than the noise.
 [[nodiscard]] double beyond_noise(double error, double noise);
 
-/// Adds the error of the model to the noise, as an independent scatter with the standard deviation
+/// Adds the error of the model to the noise: an independent scatter with the standard deviation
 /// `error` [SI] in every reading.
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
 
-/// Returns the noise of independent readings with the known standard deviations
-/// ChannelReadings::std. Use this function if each reading is the result of a regression over many
-/// samples. The regression then determines the scatter well.
+/// Returns the noise of independent readings with the standard deviations ChannelReadings::std,
+/// which are treated as exact. Use this function if each reading is the result of a regression over
+/// many samples.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);
 
 }  // namespace raceway::fit

@@ -7,8 +7,8 @@
 
 namespace raceway::fit {
 
-/// Readings for which the model has a prediction (observations): channel by channel, and in a
-/// channel in the order of the rows.
+/// Observations: readings for which the model has a prediction. The observations are sorted by
+/// channel, and by row within a channel.
 struct Observations {
   std::vector<Measured> channels{};
   std::vector<std::size_t> place{};  ///< index of each channel in Subject::measured()
@@ -23,16 +23,16 @@ struct Observations {
   }
   /// Returns the row indices of the observations of one channel.
   [[nodiscard]] std::span<const std::size_t> rows(std::size_t channel) const;
-  /// Returns the entries of `all`, a vector over all observations, that belong to one channel.
+  /// Returns the part of `all` for one channel. `all` has one entry for each observation.
   [[nodiscard]] auto of(std::size_t channel, const Eigen::VectorXd& all) const {
     return all.segment(first[channel], size(channel));
   }
-  /// Returns the value of a column of the record at every observation.
+  /// Returns the values of a record column at the rows of the observations.
   [[nodiscard]] Eigen::VectorXd at(std::span<const double> column) const;
   /// Returns only the observations of the channels with the indices `wanted`.
   [[nodiscard]] Observations only(std::span<const std::size_t> wanted) const;
-  /// Returns the index of each observation in the output of Predictor::readings() for a record with
-  /// `rows` rows.
+  /// Returns the index of each observation in the output of Predictor::readings(), for a record
+  /// with `rows` rows.
   [[nodiscard]] std::vector<std::size_t> places(std::size_t rows) const;
 };
 
@@ -41,8 +41,9 @@ struct Observations {
 [[nodiscard]] Observations observe(const std::vector<Measured>& channels, const Record& record,
                                    std::span<const double> predicted);
 
-/// Returns a typical size of each reading [SI]: its absolute value, but at least `share` times
-/// Measured::floor times the RMS of the measured readings of the channel.
+/// Returns a typical size of each entry of `readings` [SI]: its absolute value, or a limit if the
+/// absolute value is smaller. The limit is `share` times Measured::floor times the RMS of the
+/// measured readings of the channel.
 [[nodiscard]] Eigen::VectorXd floored(const Observations& observed, const Eigen::VectorXd& readings,
                                       double share);
 

@@ -11,24 +11,27 @@
 
 namespace raceway::fit {
 
-/// Exception that ends a calculation which the caller has cancelled.
+/// Exception that ends a calculation after the caller has cancelled it.
 struct Cancelled : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Candidate, and its influence on the readings.
+/// Candidate (a possible missing effect) and its influence on the readings. The size of a candidate
+/// is the parameter that scales the effect. At the neutral value of the size, the candidate does
+/// not change the readings.
 struct Screened {
   Candidate candidate{};
-  bool one_sided = false;  ///< true if the size can lie on one side of its neutral value only
-  double unit_size = 1.0;  ///< typical signed difference of the size from its neutral value
+  bool one_sided = false;  ///< true if the size cannot be both above and below its neutral value
+  double unit_size = 1.0;  ///< typical difference of the size from its neutral value, with sign
   /// Change of the readings if the size differs from its neutral value by `unit_size`, linearised
   /// at the neutral value [SI, not whitened]. The matrix has one column for each tested set of
-  /// values of the other parameters of the candidate. Columns without a change are left out. If no
-  /// small size changes a reading, the change for the largest size seen in practice is scaled to
-  /// `unit_size`.
+  /// values of the other parameters of the candidate. Columns in which no reading changes are left
+  /// out. If a small size changes no reading, the only column is the change for the largest size
+  /// seen in practice, scaled to `unit_size`.
   Eigen::MatrixXd scores{};
-  /// Change of the readings for the largest size seen in practice [SI]. The matrix has one column,
-  /// or none if Saturation::proportional is true.
+  /// Change of the readings for the largest size seen in practice [SI]: a matrix with one column.
+  /// The matrix has no column if Saturation::proportional is true or if the candidate cannot be
+  /// tested.
   Eigen::MatrixXd most{};
   std::string not_testable{};  ///< reason why the candidate cannot be tested; empty if it can
 
@@ -37,7 +40,7 @@ struct Screened {
   [[nodiscard]] const Parameter& size() const { return candidate.parameters[candidate.size]; }
 };
 
-/// Model, readings that it can predict, and candidates for missing effects.
+/// Model, readings with a prediction, and candidates for missing effects.
 struct Problem {
   std::shared_ptr<const Subject> subject{};
   std::shared_ptr<const Record> record{};  ///< rows that are used, in the order of order_of_rows()
@@ -46,39 +49,40 @@ struct Problem {
   std::vector<std::size_t> not_predicted{};
   Observations observed{};
   std::vector<std::string> base{};  ///< names of the free parameters of the model
-  /// Candidates sorted by id, so that the order in which a caller names them has no influence.
+  /// Candidates, sorted by id.
   std::vector<Screened> candidates{};
-  std::shared_ptr<const void> prepared{};
-  /// Function that is called before each prediction. If it returns true, the prediction throws
-  /// Cancelled. The function may be empty.
+  std::shared_ptr<const void> prepared{};  ///< result of Subject::prepare() for `record`
+  /// Function that is called before each prediction; may be empty. If the function returns true,
+  /// the prediction throws Cancelled.
   std::function<bool()> cancelled{};
 
   [[nodiscard]] const Eigen::VectorXd& measured() const { return observed.measured; }
 };
 
-/// Returns the readings as a function of the parameters, with the candidates `on` switched on. The
-/// free parameters of the model come first, then the parameters of each candidate.
+/// Returns the predicted readings as a function of the parameters, with the candidates `on`
+/// switched on. The free parameters of the model come first, then the parameters of each candidate.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on);
 
-/// Works like the function above, for the observations `observed` of another record.
+/// Returns the predicted readings for another record as a function of these parameters. `observed`
+/// are the observations of this record.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on,
                                      const std::shared_ptr<const Record>& record,
                                      const Observations& observed);
 
-/// Returns the model with the candidates `on` and with these parameter values. `response` is the
-/// result of response_with() for these candidates.
+/// Returns the model with the candidates `on` switched on and with the parameter values `values`.
+/// `response` is the result of response_with() for these candidates.
 [[nodiscard]] std::shared_ptr<const Subject> fitted_subject(const Problem& problem,
                                                             std::span<const Screened* const> on,
                                                             const Response& response,
                                                             const Eigen::VectorXd& values);
 
-/// Returns the candidates with these ids, sorted by id; all candidates if `ids` is empty. Members
-/// that need readings, such as Screened::scores, are still empty.
+/// Returns the candidates with these ids, sorted by id; all candidates if `ids` is empty. The
+/// members `scores`, `most` and `not_testable` are empty until screen_candidates() calculates them.
 [[nodiscard]] std::vector<Screened> make_candidates(const Subject& subject,
                                                     std::span<const std::string> ids);
 
-/// Calculates the members `scores`, `most` and `not_testable` of all candidates. `base_values` are
-/// the values of the free parameters of the model.
+/// Calculates the members of Screened that make_candidates() leaves empty. `base_values` are the
+/// values of the free parameters of the model.
 void screen_candidates(Problem& problem, const Saturation& saturation,
                        const Eigen::VectorXd& base_values);
 

@@ -10,17 +10,17 @@
 namespace raceway::fit {
 
 /// One model for several joined records (record::joined()). Own parameters have a separate value in
-/// each record, for example the oil or the temperature of a day. All other parameters and all
-/// candidates are common to all records. For calibrate(), diagnose() and add(), this class is one
-/// model with one record.
+/// each record, for example the oil viscosity or the temperature of a day. All other parameters,
+/// and all effects that diagnose() tests, are common to all records. calibrate(), diagnose() and
+/// add() use this class like a model of a single record.
 ///
-/// The value of the own parameter f0 in the record "monday" is called "f0@monday". Without declared
-/// standard deviations, all records have the same noise model, with a factor for each record if
-/// their scatter differs (NoiseModel::records).
+/// The value of the own parameter f0 in the record "monday" has the name "f0@monday". All records
+/// have the same noise model, unless standard deviations are declared. If the scatter differs
+/// between the records, the noise model has a factor for each record (NoiseModel::records).
 class SeveralRecords : public Subject {
  public:
-  /// `record` is a joined record. `own` names the own parameters. They become free, even if they
-  /// are fixed in the model. Throws std::invalid_argument as find_parameters() does.
+  /// `record` is a joined record. `own` names the own parameters. Own parameters become free, even
+  /// if they are fixed in the model. Throws the same exceptions as find_parameters().
   SeveralRecords(std::shared_ptr<const Subject> model, const Record& record,
                  std::vector<std::string> own);
 
@@ -28,17 +28,18 @@ class SeveralRecords : public Subject {
   [[nodiscard]] const std::vector<std::string>& records() const { return records_; }
   /// Returns the names of the own parameters.
   [[nodiscard]] const std::vector<std::string>& own() const { return own_; }
-  /// Returns the original model, in which own parameters have their original values.
+  /// Returns the model with the common parameters. Its own parameters have the values of the model
+  /// given to the constructor, not the values of a record.
   [[nodiscard]] const Subject& shared() const { return *model_; }
-  /// Returns the model of one record, with the values of that record.
+  /// Returns the model of one record, in which own parameters have the values of this record.
   [[nodiscard]] std::unique_ptr<Subject> model_of(std::size_t record) const;
-  /// Returns the name of a parameter in the model of one record: "f0" for "f0@monday". Names of
-  /// shared parameters are unchanged. The name is empty for a parameter of another record.
+  /// Returns the name of a parameter in the model of one record: "f0" for "f0@monday". The names of
+  /// common parameters are unchanged. The name is empty for an own parameter of another record.
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
-  /// Returns a model in which data that may differ between records (Candidate::of_each_record),
-  /// such as the oil, are also own parameters. Returns null if there are no own parameters, or no
-  /// such data that the record can determine.
+  /// Returns a model in which additional data are own parameters: the data that may differ between
+  /// records (Candidate::of_each_record), such as the oil. Returns null if there are no own
+  /// parameters, or if the record cannot determine any of these data.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 
@@ -50,8 +51,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Predictor> predictor(
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
-  /// Returns a copy whose model stores facts about all records together, such as the temperature of
-  /// the coldest row; null if the model needs none.
+  /// Returns a copy whose model stores facts about all records together, such as the lowest
+  /// temperature; null if the model needs no such facts.
   [[nodiscard]] std::unique_ptr<Subject> informed_by(const Record& record) const override;
 
   [[nodiscard]] std::vector<Parameter> parameters() const override;
@@ -66,8 +67,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Subject> without_free_candidates() const override;
   [[nodiscard]] std::unique_ptr<Subject> with_shape(const std::string& id,
                                                     const Shape& shape) const override;
-  /// Returns the other base laws of the model, for the same records. If a base law lacks an own
-  /// parameter, its OtherBase::subject is null, and OtherBase::lacks gives the reason.
+  /// Returns the other base laws of the model, for the same records. OtherBase::subject is null for
+  /// a base law that lacks an own parameter; OtherBase::lacks then names this parameter.
   [[nodiscard]] std::vector<OtherBase> other_bases() const override;
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string correction(const std::string& id,
@@ -76,16 +77,17 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::string lacks_levels(const std::string& id,
                                          const Record& record) const override;
 
-  /// Returns the terms of Judged::saturation() for the model. Each record after the first gets an
-  /// additional constant and, for every input, an additional slope.
+  /// Returns the terms of the saturated regression of the model, and additional terms for each
+  /// record after the first: a constant, and a slope over each input.
   [[nodiscard]] Saturation saturation(const Record& record) const override;
   [[nodiscard]] std::vector<const Channel*> scattering(const Record& record) const override;
   [[nodiscard]] std::vector<Factor> factors(const Record& record) const override;
   [[nodiscard]] std::optional<Formula> formula(const Record& record) const override;
-  /// Returns the blockings of the model: divisions of the rows into blocks that are held out. If
-  /// there are no own parameters and at least three records, another blocking holds out whole
-  /// records. With own parameters, a blocking is left out if one of its blocks contains a whole
-  /// record, because the other records do not determine the own parameters of that record.
+  /// Returns the blockings of the model: divisions of the rows into blocks that are held out.
+  /// If no parameter has a separate value for each record, and there are at least three records,
+  /// the result has an additional blocking with one block for each record. If parameters have
+  /// separate values, the result has no blocking with a block that contains a whole record, because
+  /// the other records do not determine the values of this record.
   [[nodiscard]] std::vector<Blocking> blockings(const Record& record) const override;
   [[nodiscard]] std::string doubt(const Record& record,
                                   std::span<const double> predicted) const override;
@@ -96,15 +98,15 @@ class SeveralRecords : public Subject {
       const std::vector<std::string>& not_testable) const override;
 
  private:
-  /// Index of an own parameter, and index of its record.
+  /// Position of one value: index of the own parameter and index of the record.
   struct Place {
     std::size_t own, record;
   };
-  /// Returns the place of an own parameter with this name, such as "f0@monday"; empty for any other
+  /// Returns the place of the value with this name, such as "f0@monday"; nullopt for any other
   /// name.
   [[nodiscard]] std::optional<Place> place_of(const std::string& name) const;
   [[nodiscard]] std::string name_of(const Place& place) const;
-  /// Returns a copy with another model for these records.
+  /// Returns a copy that uses another model for the same records.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_model(
       std::shared_ptr<const Subject> model) const;
   SeveralRecords(const SeveralRecords&) = default;
@@ -112,7 +114,7 @@ class SeveralRecords : public Subject {
   std::shared_ptr<const Subject> model_;
   std::vector<std::string> records_;
   std::vector<std::string> own_;
-  std::vector<std::vector<double>> values_;  // values by name and record
+  std::vector<std::vector<double>> values_;  // [own parameter][record]
 };
 
 }  // namespace raceway::fit

@@ -27,10 +27,12 @@ class SobolDesign {
 
   [[nodiscard]] std::size_t inputs() const { return inputs_; }
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  /// Returns the number of function evaluations. The evaluations run sample by sample. Each sample
-  /// has the points A, B, AB_1, AB_2 and so on.
+  /// Returns the number of points. The function is evaluated at each point. All points of the first
+  /// sample come first, then all points of the second sample, and so on. The order within a sample
+  /// is A, B, AB_1, AB_2 and so on.
   [[nodiscard]] std::size_t evaluations() const { return samples_ * (inputs_ + 2); }
-  /// Writes the point of one evaluation: one number in [0, 1) for each input.
+  /// Writes the coordinates of the point with the index `evaluation`: one number in [0, 1) for each
+  /// input.
   void point(std::size_t evaluation, std::span<double> point) const;
 
  private:
@@ -39,30 +41,31 @@ class SobolDesign {
 };
 
 /// Shares of the variance of a function that one input causes [1]. `first_error` and `total_error`
-/// are the half widths of 95 % intervals.
+/// are the half widths of the 95 % confidence intervals.
 struct SobolIndex {
   double first = unset, first_error = unset;  ///< share of this input alone
   /// Share of this input and of all its interactions with other inputs.
   double total = unset, total_error = unset;
 };
 
+/// Result of sobol_indices().
 struct SobolIndices {
-  /// Number of samples whose values are all finite. Other samples are not used.
+  /// Number of samples for which the function is finite at all points. Other samples are not used.
   std::size_t complete = 0;
   double mean = unset, std = unset;  ///< mean and standard deviation of the function over A and B
   /// One entry for each input; NaN if the function is constant or has no finite values.
   std::vector<SobolIndex> inputs;
 };
 
-/// Computes the Sobol' indices of a function. `values` are its values at the points of `design`, in
-/// the order of the evaluations.
+/// Computes the Sobol' indices of a function. `values` are the values of the function at the points
+/// of `design`, in the order of the points.
 ///
 ///   S_i  = mean(f_B (f_AB_i - f_A)) / V
 ///   ST_i = mean((f_A - f_AB_i)²) / (2 V)
 ///
 /// S_i is SobolIndex::first, and ST_i is SobolIndex::total. f_A, f_B and f_AB_i are the values at
 /// the points of the sets A, B and AB_i (see SobolDesign), minus the mean over A and B. V is the
-/// variance over A and B.
+/// variance of the function over A and B.
 ///
 /// The errors of the indices are 1.96 times their standard deviation over 200 bootstrap resamplings
 /// of the samples. The bootstrap assumes independent samples, but Sobol' points are distributed

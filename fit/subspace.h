@@ -5,20 +5,22 @@
 
 namespace raceway::fit {
 
-/// Returns an orthonormal basis for the columns of several matrices (`blocks`), one matrix after
-/// the other. Within a matrix, the next column is always the one with the largest component
-/// orthogonal to the basis. A column is left out if the length of this component is below the share
-/// `tolerance` of the length of the column; each matrix has its own tolerance. The basis has at
-/// most `most` columns, so earlier matrices have priority.
+/// Returns an orthonormal basis for the columns of the matrices `blocks`. The columns of the first
+/// matrix are added first, then the columns of the second, and so on. Within a matrix, the function
+/// next adds the column with the largest component orthogonal to the basis. A column is left out if
+/// the ratio of the length of this component to the length of the column is not above the tolerance
+/// of the matrix. `tolerance` contains one number for each matrix. `most` is the largest number of
+/// columns of the basis.
 [[nodiscard]] Eigen::MatrixXd independent_columns(const std::vector<Eigen::MatrixXd>& blocks,
                                                   const std::vector<double>& tolerance,
                                                   Eigen::Index most);
 
-/// Returns the columns minus their projection on the columns of `tangent`, which may have any rank.
+/// Returns `columns` minus their projection on the columns of `tangent`. `tangent` may have any
+/// rank.
 [[nodiscard]] Eigen::MatrixXd project_off(const Eigen::MatrixXd& tangent,
                                           const Eigen::MatrixXd& columns);
 
-/// Returns an orthonormal basis of the columns.
+/// Returns an orthonormal basis of the space that the columns span.
 [[nodiscard]] Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
 }  // namespace raceway::fit

@@ -14,12 +14,12 @@
 namespace raceway::friction {
 
 /// Base law of a model. `contact` sums friction over the balls in equilibrium
-/// (friction/contact/contact_law.h). `table` interpolates a measured table
+/// (friction/contact/contact_law.h). `table` interpolates a measured or precomputed table
 /// (friction/torque_table.h). `powers` and `contact_powers` are power laws of viscosity, speed and
-/// load whose exponents are fitted to measurements (friction/powers.h). All laws but `contact`,
-/// `contact_powers` and `table` are formulas for the whole bearing. The laws of cylindrical roller
-/// bearings are in friction/roller_friction.h. In files, the roller laws have the names of the ball
-/// laws; the type of the bearing selects the law.
+/// load whose exponents are fitted to measurements (friction/powers.h). `palmgren`, `skf` and
+/// `powers` are formulas for the whole bearing. The laws of cylindrical roller bearings are in
+/// friction/roller_friction.h. In files, the roller laws are also named `palmgren` and `skf`; the
+/// type of the bearing selects the law.
 enum class FrictionLaw {
   palmgren,
   skf,
@@ -50,7 +50,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 [[nodiscard]] constexpr bool has_palmgren_load(FrictionLaw law) {
   return law == FrictionLaw::palmgren || has_fitted_exponents(law);
 }
-/// Returns all laws of ball bearings, or all laws of roller bearings if `law` is one of them.
+/// Returns all laws of roller bearings if `law` is a roller law, otherwise all laws of ball
+/// bearings.
 [[nodiscard]] constexpr std::span<const FrictionLaw> laws_of_same_bearing(FrictionLaw law) {
   if (of_rollers(law)) return roller_friction_laws;
   return all_friction_laws;
@@ -70,55 +71,55 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
-/// True if model files give this parameter of a law in the table [lubricant] and not in [friction].
-/// Only `limiting_traction` is such a parameter.
+/// True if this parameter of a friction law stands in the table [lubricant] of a model file, not in
+/// [friction]. The only such parameter is `limiting_traction`.
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
-/// Returns the bearing data that a law for a whole ball bearing uses, as keys of a model file
-/// without the unit suffix. Other bearing data do not change the moments of these laws.
+/// Returns the bearing data on which the moments of a friction law depend, named by the keys of a
+/// model file without the unit at the end.
 ///   palmgren, powers: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-/// The list is empty for `table`, which uses no bearing data. The list is also empty for `contact`,
-/// `contact_powers` and the laws of rollers, which may use all bearing data.
+/// The list is empty for `table`, because this law uses no bearing data. The list is also empty for
+/// `contact`, `contact_powers` and the roller laws, because these laws can use all bearing data.
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
-/// True if the law uses the ball equilibrium. Without an equilibrium, the moments of such a law are
-/// NaN.
+/// True if the law uses the equilibrium of the balls. The moments of such a law are NaN without a
+/// converged equilibrium.
 [[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
   return law == FrictionLaw::contact || law == FrictionLaw::contact_powers;
 }
 
 /// Throws std::invalid_argument if the bearing does not have the data that the law needs. Laws with
 /// Palmgren's load moment need the static load rating C0. The SKF law needs a contact angle above
-/// 0. The program calls this function once for each model; the laws do not check again.
+/// 0. The laws themselves do not check the data.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For `palmgren`, `powers` and `contact_powers`, `load` is
 /// the load-dependent moment and `viscous` the viscous moment. For SKF, `load` is the sliding
 /// moment and `viscous` the rolling moment. For the contact law, `viscous` is the rolling
 /// resistance of the oil and `load` contains all other moments. For a table, `load` is the
-/// load-dependent part of the moment, and `viscous` is the rest.
+/// load-dependent part of the moment, and `viscous` is the rest of the moment.
 template <typename T>
 struct BaseMoments {
   T load;
   T viscous;
 };
 
-/// Moments of a roller law for base_moments(). Moments that depend on the roller loads are NaN
-/// without a converged equilibrium.
+/// Moments of a roller law. Moments that depend on the roller loads are NaN without a converged
+/// equilibrium.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
                                                  std::span<const double> values);
 
-/// Moments of the law `table` for base_moments(); NaN without a table.
+/// Moments of the law `table`; NaN without a table.
 [[nodiscard]] BaseMoments<double> table_moments(const BearingState<double>& state,
                                                 std::span<const double> values);
 
-/// Moments of the law `contact-powers` for base_moments(); NaN without a converged equilibrium.
+/// Moments of the law `contact-powers`; NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> contact_powers_moments(const BearingState<double>& state,
                                                          std::span<const double> values);
 
 namespace contact {
-/// Moments of the law `contact` for base_moments(); NaN without a converged equilibrium.
+/// Moments of the law `contact`; NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> contact_moments(const BearingState<double>& state,
                                                   std::span<const double> values);
 }  // namespace contact

@@ -17,14 +17,17 @@ T power_loss(const T& friction_moment, const T& speed) {
   return friction_moment * speed;
 }
 
-/// Friction moments of one bearing by the place at which they produce heat [N m].
+/// Friction moments of one bearing, grouped by the place where their heat arises [N m].
 struct HeatSources {
-  double load = 0.0;     ///< load moment of the base law
-  double viscous = 0.0;  ///< viscous moment of the base law, plus moments whose place is not known
-  double spin_coefficient = 0.0;  ///< coefficient of `spin-friction` [1]; 0 without this effect
+  double load = 0.0;  ///< load moment of the base law
+  /// Viscous moment of the base law, and moments of effects for which the place of the heat is not
+  /// known.
+  double viscous = 0.0;
+  /// Friction coefficient of the effect `spin-friction` [1]; 0 without this effect.
+  double spin_coefficient = 0.0;
 };
 
-/// Heat of each ring [W]. The heat of both rings equals the power loss to within rounding error.
+/// Heat of each ring [W]. The sum of both values equals the power loss to within rounding error.
 struct HeatSplit {
   double inner = unset;
   double outer = unset;
@@ -40,12 +43,13 @@ struct HeatSplit {
 /// Each sum is over the balls that touch the race; v is the rolling speed at the contact. All heat
 /// of an inner contact is assigned to the inner ring, including the heat that flows into the ball.
 /// The split of spin friction is exact. The splits of load and viscous friction are assumptions:
-/// load friction is proportional to contact load times rolling path, viscous friction to the
-/// rolling path only (equal films at both races). At low speed, Q and v are equal at both contacts,
-/// so each ring gets half of the load and viscous friction. If no ball is loaded, each ring also
-/// gets half of this friction.
-/// The coefficient μ is HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s. The
-/// shaft speed is ω, the orbital speed of the balls ω_m.
+/// the load friction of a contact is proportional to Q v, and the viscous friction of a contact to
+/// v. The assumption for viscous friction implies equal film thickness at both races. At low speed,
+/// Q and v are equal at both contacts, so each ring gets half of the heat from load friction and
+/// from viscous friction. Each ring also gets half of this heat if no ball is loaded. μ is
+/// HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s. Q is the contact load, ω
+/// the shaft speed and ω_m the orbital speed of the balls. αi and αo are the contact angles, D is
+/// the ball diameter and d_m the pitch diameter.
 ///
 /// Domain:   the heat is NaN without a converged equilibrium, and zero at standstill.
 [[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,
@@ -69,8 +73,8 @@ struct HeatSplit {
     by_load.inner += weight * ball.inner_load * inner_speed;
     by_path.inner += weight * inner_speed;
   }
-  // Without a loaded ball the weights are undefined; each ring then gets half of the lubricant's
-  // losses.
+  // Without a loaded ball, the sums over the balls are zero. Each ring then gets half of the load
+  // and viscous friction.
   const auto inner_share = [](const ContactPair& w) {
     const double sum = w.inner + w.outer;
     return sum > 0.0 ? w.inner / sum : 0.5;

@@ -13,15 +13,15 @@ namespace raceway::friction {
 ///
 /// ν n is in mm²/s rpm and d_m in mm, as in palmgren_viscous_moment(). a and b are the fitted
 /// exponents. P is the load P0 or F_b (f1_load()), and P_m a typical value of this load
-/// (medium_load()). With a = 2/3 and b = 0 the moment is Palmgren's for ν n >= 2000. The reference
-/// values 300 000 and P_m make f0 nearly independent of the exponents in a fit. The load moment of
-/// the law is PalmgrenLoad; its exponent 1 + y is fitted too.
+/// (medium_load()). With a = 2/3 and b = 0, the moment equals Palmgren's viscous moment for ν n >=
+/// 2000. The reference values 300 000 and P_m make f0 nearly independent of the exponents in a fit.
+/// PalmgrenLoad is the load moment of the law. Its load exponent y is fitted too.
 ///
 /// Source:   rolling moments of the form (ν n)^0.6 F^0.54 [SKFGeneral] and U^0.66 W^0.47, with
-///           dimensionless speed U and load W [BibouletHoupert2010]. The exponents of a bearing
-///           have no published values; they are fitted.
-/// Domain:   the speeds, loads and temperatures of the fitted measurements. The moment is zero at
-///           zero load.
+///           dimensionless speed U and load W [BibouletHoupert2010]. There are no published
+///           exponents for a whole bearing, so a fit finds them.
+/// Domain:   the speeds, loads and temperatures of the fitted measurements. The moment is zero
+///           without load.
 /// Accuracy: as accurate as the fit within the measured range; unknown outside this range.
 struct PowersViscous {
   static constexpr std::array parameters{Parameter{.name = "viscous_exponent",
@@ -61,8 +61,7 @@ struct PowersViscous {
 /// outer contacts of all Z balls. Q is the load of a contact. M_p(F_a) is the moment of the law
 /// `powers` under the thrust F_a alone. At low speed, the contact angles are near α0, and under
 /// pure thrust F_a, M is nearly M_p(F_a). At high speed, the centrifugal force increases the loads
-/// of the outer contacts. For α0 = 0, sin α0 is replaced by sin 15 deg, the angle of
-/// palmgren_load().
+/// of the outer contacts. If α0 = 0, the formula uses 15 deg instead of α0, like palmgren_load().
 ///
 /// Source:   derived. The rolling moment of one contact is a product of powers of speed and load
 ///           [BibouletHoupert2010].

@@ -8,7 +8,8 @@
 
 namespace raceway::friction {
 
-/// Bearing dimensions in the SKF model [m].
+/// Bearing dimensions d, D and d_m in the SKF model [m]. In all formulas of this header, n is the
+/// speed and ν the kinematic viscosity of the oil.
 struct RingSize {
   double bore;            ///< bore, d
   double outer_diameter;  ///< diameter of the outer ring, D
@@ -27,7 +28,7 @@ struct SkfConstants {
 /// to 5].
 /// Domain: the bearings of the catalogue have a contact angle of 40 deg (72 BE, 73 BE). The code
 ///         also uses the constants for spindle bearings of 15 to 25 deg. The source does not cover
-///         these angles: R2 and S2, the factors of the axial load, are for 40 deg.
+///         these small angles: the factors R2 and S2 of the axial load are for 40 deg.
 inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .R2 = 1.97,
                                                   .R3 = 1.90e-12,
@@ -44,13 +45,13 @@ inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
   return balls.density < 5000.0 ? 0.41 : 1.0;
 }
 
-/// Share of the rolling moment that remains under inlet shear heating [1].
+/// Factor φ_ish that reduces the rolling moment because of inlet shear heating [1].
 ///
 ///   φ_ish = 1 / (1 + 1.84e-9 (n d_m)^1.28 ν^0.64)
 ///
 /// The formula is in its published units: n [rpm], d_m [mm], ν [mm²/s].
 /// Source: [SKFGeneral, p. 91-101].
-/// Domain: speed >= 0, viscosity > 0; the share is 1 at standstill.
+/// Domain: speed >= 0, viscosity > 0; the factor is 1 at standstill.
 template <typename T>
 T inlet_shear_factor(const T& speed, const T& viscosity, double mean_diameter) {
   using std::pow;
@@ -59,7 +60,7 @@ T inlet_shear_factor(const T& speed, const T& viscosity, double mean_diameter) {
   return 1.0 / (1.0 + 1.84e-9 * pow(n_dm, 1.28) * pow(viscosity / mm2_per_s, 0.64));
 }
 
-/// Share of the rolling moment that remains under replenishment starvation [1].
+/// Factor on the rolling moment that accounts for starvation: incomplete replenishment of oil [1].
 ///
 ///   φ_rs = exp(-K_rs ν n (d + D) sqrt(K_Z / (2 (D - d))))
 ///
@@ -75,7 +76,8 @@ T replenishment_factor(const T& K_rs, const T& speed, const T& viscosity, const 
   return exp(-K_rs * nu_n * ((d + D) * std::sqrt(K_Z / (2.0 * (D - d)))));
 }
 
-/// Share of boundary lubrication in sliding [1]: 1 at standstill, near 0 on a full film.
+/// Weight of boundary lubrication in the sliding friction [1]: 1 at standstill, near 0 with a full
+/// film.
 ///
 ///   φ_bl = exp(-2.6e-8 (ν n)^1.4 d_m)
 ///
@@ -91,7 +93,7 @@ T boundary_share(const T& speed, const T& viscosity, double mean_diameter) {
   return exp(-2.6e-8 * pow(nu_n, 1.4) * (mean_diameter / mm));
 }
 
-/// Friction coefficient of sliding, μ_sl = φ_bl μ_bl + (1 - φ_bl) μ_EHL [1]. φ_bl is `share`, from
+/// Friction coefficient of sliding, μ_sl = φ_bl μ_bl + (1 - φ_bl) μ_EHL [1]. φ_bl is the result of
 /// boundary_share(). μ_bl is the coefficient of boundary lubrication, μ_EHL the coefficient of a
 /// full film.
 /// Source: [SKFGeneral, p. 91-101].
@@ -108,8 +110,8 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 /// code converts these units. φ_ish is inlet_shear_factor(), φ_rs is replenishment_factor(), and
 /// F_r and F_a are the external loads. F_g accounts for inertia forces of the balls. For
 /// ceramic balls, R3 is multiplied by skf_ball_factor().
-/// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Some constants
-///           differ in editions since 2013.
+/// Source:   [SKFGeneral, p. 91-101], constants for 40 deg (skf_angular_contact). Editions of the
+///           catalogue since 2013 give other values for some constants.
 /// Domain:   speed >= 0, viscosity > 0, contact angle > 0. The moment is zero at standstill, where
 ///           the formula has an infinite derivative with respect to speed. At standstill, the code
 ///           returns zero derivatives if T is a type for automatic differentiation.

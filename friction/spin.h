@@ -41,9 +41,9 @@ struct ContactPair {
 ///   M / μ = Σ (3/8) Q a E(k) ω_s/ω      over the balls, at the inner and at the outer contact
 ///
 /// ω_s is the spin speed of a contact and ω the shaft speed; unit_spin_moment() describes Q, a and
-/// E(k). The moment times the shaft speed equals the total power of all contacts at their spin
-/// speeds. The sum is over the balls, because their loads and contact angles can differ. Under
-/// outer control only the inner contacts spin; under inner control only the outer contacts spin.
+/// E(k). The power M ω equals the sum of M_s ω_s over all contacts (M_s: spin moment of a contact).
+/// The sum is over the balls, because their loads and contact angles can differ. Under outer
+/// control only the inner contacts spin; under inner control only the outer contacts spin.
 ///
 /// Source:   derived from unit_spin_moment() by a power balance; ω_s by [Jones1960] as in
 ///           bearing/kinematics.h.

@@ -6,8 +6,8 @@
 
 namespace raceway::friction {
 
-/// Typical ν n of a spindle bearing [mm²/s rpm]: the reference value in power laws with a fitted
-/// exponent of ν n.
+/// Typical product ν n of kinematic viscosity and speed of a spindle bearing [mm²/s rpm]. Friction
+/// laws with a fitted exponent of ν n use this product as reference value.
 inline constexpr double medium_nu_n = 300000.0;
 
 /// Friction moment of a bearing that rotates in its lubricant without load [N m].
@@ -15,8 +15,9 @@ inline constexpr double medium_nu_n = 300000.0;
 ///   M0 = 1e-7 f0 (ν n)^(2/3) d_m³      ν n >= 2000
 ///   M0 = 160e-7 f0 d_m³                ν n <  2000
 ///
-/// The formulas are in their published units: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]. The function
-/// converts these units. The factor f0 depends on bearing type and lubrication.
+/// ν is the kinematic viscosity, n the speed and d_m the pitch diameter. The formulas are in their
+/// published units: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]. The arguments and the result of the
+/// function are in SI units. The factor f0 depends on bearing type and lubrication.
 /// Source:   [Palmgren1959; CaseStudy, eq. 22].
 /// Domain:   speed >= 0, viscosity > 0. At ν n = 2000 the two published formulas differ by 0.8 %.
 ///           The formula for ν n < 2000 is valid down to standstill.

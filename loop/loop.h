@@ -9,10 +9,10 @@
 #include "verdict/compare.h"
 #include "verdict/diagnose.h"
 
-/// Runs calibrate, diagnose and add for all models. For a bearing or shaft model, the misfit is
-/// compared with the noise of the readings (verdict/). For a spindle model or a correction, whose
-/// residuals stay correlated in time (Subject::approximates()), the held-out error is compared with
-/// the tolerance of the user (tolerance/).
+/// Functions calibrate(), diagnose() and add() for all models. For a bearing or shaft model, the
+/// misfit is compared with the noise of the readings (verdict/). The residuals of a spindle model
+/// or a correction are correlated in time (Subject::approximates()). For these models, the held-out
+/// error is compared with the tolerance (tolerance/).
 namespace raceway::loop {
 
 using verdict::compare;
@@ -20,8 +20,9 @@ using verdict::compare;
 /// Fits the free parameters by verdict::calibrate_by_noise(), or by
 /// tolerance::calibrate_approximation() for a spindle model or a correction.
 ///
-/// Throws std::invalid_argument like these functions, and if profile-likelihood intervals are
-/// requested for a spindle model or a correction, because its residuals are correlated in time.
+/// Throws std::invalid_argument if the called function throws this error. For a spindle model or a
+/// correction, calibrate() also throws this error if options.profile is true: intervals by profile
+/// likelihood need residuals that are not correlated in time.
 [[nodiscard]] verdict::Calibration calibrate(const fit::Subject& subject,
                                              const record::Record& record,
                                              const verdict::CalibrateOptions& options = {});
@@ -29,8 +30,9 @@ using verdict::compare;
 /// Finds the missing effect by verdict::diagnose_by_noise(), or by
 /// tolerance::diagnose_approximation() for a spindle model or a correction.
 ///
-/// Throws std::invalid_argument like these functions, and if options.tried_before, the number of
-/// effects tried earlier on these data, is not between 0 and a million.
+/// Throws std::invalid_argument if the called function throws this error, or if
+/// options.tried_before is not from 0 to 1 000 000. tried_before is the number of effects that
+/// earlier diagnoses have tried with the same data.
 [[nodiscard]] verdict::Diagnosis diagnose(const fit::Subject& subject, const record::Record& record,
                                           const verdict::DiagnoseOptions& options = {});
 

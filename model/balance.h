@@ -6,8 +6,8 @@
 
 namespace raceway::model {
 
-/// Oil properties that determine the rotation of the balls without race control. All members are
-/// zero with race control.
+/// Oil properties from which the rotation of the balls is computed if the model does not assume
+/// race control. With race control, all members are zero.
 struct BallTurning {
   double temperature = 0.0;                                 ///< temperature of the oil [K]
   double viscosity_40C = 0.0, viscosity_100C = 0.0;         ///< [m²/s]
@@ -17,10 +17,10 @@ struct BallTurning {
 [[nodiscard]] BallTurning ball_turning(const Model& model, const friction::Lubricant& oil,
                                        double temperature);
 
-/// Solves the ball equilibrium of a bearing with the solver of the model: with race control or, if
-/// no race controls the balls, with the traction of the oil at the temperature of the point.
-/// `bearing` and `oil` may differ from the bearing and the oil of the model. The solve starts from
-/// a neighbouring solution if one is given.
+/// Solves the ball equilibrium of a bearing. If the model assumes race control, the rotation of the
+/// balls follows from this assumption. Otherwise, the rotation follows from the oil traction at the
+/// temperature of the operating point. `bearing` and `oil` may differ from the bearing and the oil
+/// of the model. If `neighbour`, a known solution, is given, the iteration starts from it.
 [[nodiscard]] bearing::BearingEquilibrium solve_balls(
     const Model& model, const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
     const bearing::EquilibriumOptions& options, const friction::Lubricant& oil,

@@ -15,13 +15,16 @@ namespace raceway::model {
 /// y is the prediction, θ are the fitted parameters, and C is their covariance.
 ///
 /// The propagation is linear. g comes from central differences with steps of a tenth of a standard
-/// error. A difference is one-sided if a bound of the parameter or a missing equilibrium prevents
-/// the step to one side. The band does not include missing effects or the noise of a reading.
+/// error. If a step in one direction is impossible, because the parameter is at its bound or the
+/// model has no equilibrium there, the difference is one-sided. The band includes neither errors
+/// from missing effects nor the noise of readings.
+///
 /// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
 ///           errors.
 class Band {
  public:
-  /// Function that returns predicted values. Every call returns the same number of values.
+  /// Function that returns predicted values of a model. Every call must return the same number of
+  /// values.
   using Outputs = std::function<std::vector<double>(const Model&)>;
 
   static constexpr double level = 0.95;
@@ -31,10 +34,10 @@ class Band {
 
   /// Returns the names of the fitted parameters.
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
-  /// Returns the half width of each output in its unit. The half width is NaN if the output is not
-  /// finite for the fitted values, or if neither a decrease nor an increase of one parameter gives
-  /// a finite output. The operator calls `outputs` once for the model and at most twice for each
-  /// parameter. Several threads may call the operator simultaneously.
+  /// Returns the half width of the band of each predicted value, in the unit of the value. The half
+  /// width is NaN if the value or one of its derivatives cannot be computed. The operator calls
+  /// `outputs` once with the model, and at most twice for each fitted parameter with a changed
+  /// value. Several threads may call the operator simultaneously.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 
  private:

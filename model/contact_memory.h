@@ -11,48 +11,54 @@
 
 namespace raceway::model {
 
-/// Ball equilibrium, shared by all objects that use it.
+/// Shared pointer to a ball equilibrium.
 using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 
-/// Stores contact results of one row for fits that need almost equal results repeatedly, because
-/// the integrals over the contact ellipses take most of the time.
+/// Stores contact results of one row of a record. During a fit, the same or nearly the same results
+/// are needed many times, and the integrals over the contact ellipses take most of the computing
+/// time.
 ///
-/// The key of a result consists of equilibrium, oil, temperature and the parameters of the law,
-/// except the factors of rolling and hysteresis. For effects of film self-heating, results at a
-/// nearby temperature come from linear extrapolation along the viscosity curve ν(T) of the oil.
+/// A stored result is valid for the same ball equilibrium, oil and temperature, and for the same
+/// parameters of the contact law, except the factors of rolling and hysteresis, which may differ.
+/// For effects of film self-heating, results at a nearby temperature T are extrapolated linearly
+/// along the viscosity curve ν(T) of the oil.
+///
 /// Accuracy: relative error 1e-7 for extrapolated results; other results equal the results of
 ///           contact_result().
 class ContactMemory {
  public:
-  /// Returns the contact result for the bearing state `s` with the ball equilibrium `balls`.
-  /// `values` are the parameter values of the contact law, in all functions of this class.
+  /// Returns the contact result for the bearing state `s` with the ball equilibrium `balls`. In all
+  /// functions of this class, `values` are the parameter values of the contact law.
   [[nodiscard]] friction::contact::ContactResult at(const Balance& balls,
                                                     const friction::BearingState<double>& s,
                                                     std::span<const double> values);
-  /// Stores a result that was computed elsewhere.
+  /// Stores a contact result that the caller has computed.
   void know(const Balance& balls, const friction::BearingState<double>& s,
             std::span<const double> values, const friction::contact::ContactResult& result) {
     (void)remember(balls, s, values, result);
   }
-  /// Returns the friction moment of the bearing state `s`, and its derivative with respect to
-  /// temperature along ν(T) of the oil. Both values are for a stored temperature near
-  /// s.temperature, or for s.temperature itself if no stored temperature is near enough.
+  /// Returns the friction moment of the bearing state `s` and the derivative of the moment with
+  /// respect to temperature. In the derivative, the viscosity changes with temperature as ν(T) of
+  /// the oil. If a result for a temperature near s.temperature is already stored, the function
+  /// returns moment and derivative at that temperature.
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);
-  /// Returns the temperature of the last requested tangent [K]; NaN if no tangent was requested.
+  /// Temperature of the result that the last call of tangent() returned [K]; NaN before the first
+  /// call.
   [[nodiscard]] double last_temperature() const { return last_temperature_; }
 
  private:
-  /// Sliding, rolling and hysteresis at both races, and drag: [N m], or [N m/K] for a slope.
+  /// Moments of sliding, rolling and hysteresis at both races, and of drag [N m], or the
+  /// derivatives of these moments with respect to temperature [N m/K].
   using Parts = std::array<double, 7>;
   struct Known {
     Balance balls;  // kept alive so that no other equilibrium gets its address
     double viscosity_40C, viscosity_100C, temperature, viscosity;
     std::vector<double> values;  // parameter values of the law
     friction::contact::ContactResult result;
-    bool along_oil;      // true if the viscosity is that of the oil at `temperature`
-    Parts slope{};       // derivative by temperature, along ν(T)
+    bool along_oil;      // true if the oil has this viscosity at `temperature`
+    Parts slope{};       // derivatives with respect to temperature, along ν(T) of the oil
     double reach = 0.0;  // range in which the slope is valid [K]; 0: no slope yet
   };
   [[nodiscard]] static bool alike(const Known& known, const Balance& balls,

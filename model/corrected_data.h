@@ -7,18 +7,17 @@
 
 namespace raceway::model {
 
-/// Returns the viscosities of the oil and the temperatures of a row before any correction.
-/// `temperature` is the recorded temperature [K]. The ambient temperature is NaN if the rig does
-/// not give it.
+/// Returns the data that effects can correct: the viscosities of the oil as entered in the model,
+/// and the temperatures of a row. `temperature` is the recorded temperature [K]. The room
+/// temperature is NaN if the model does not give it.
 [[nodiscard]] effects::Entry entry_of(const Model& model, double temperature);
 
-/// Returns the model with corrected lubricant viscosities. Effects that correct these viscosities
-/// are removed, because the lubricant then has the corrected values. Effects that correct recorded
-/// values remain.
+/// Returns the model with corrected lubricant viscosities. The effects that correct the viscosities
+/// are removed from this model. Effects that correct recorded values remain in the model.
 [[nodiscard]] Model with_corrected_data(Model model);
 
-/// Describes the value that an effect corrects, such as "5.91 mm2/s at 100 C instead of the entered
-/// 6.4"; empty for physical effects.
+/// Describes the corrected value, such as "5.91 mm2/s at 100 C instead of the entered 6.4"; empty
+/// for an effect that corrects no entered or recorded value.
 [[nodiscard]] std::string correction_text(const Model& model, const effects::Effect& effect);
 
 }  // namespace raceway::model

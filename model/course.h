@@ -6,20 +6,19 @@
 
 namespace raceway::model {
 
-/// Position of a row in the course of a measurement. All members are NaN if a row of the record has
-/// no time.
+/// Time of a row since the start of its day or load sweep, and direction of the last speed change.
+/// If any row of the record has no time, all members are NaN in every row.
 struct Course {
-  double since_start = unset;  ///< time since the start of the day or of the load sweep [s]
-  double direction = unset;    ///< 1 if the speed rose to its value, also from rest; -1 if it fell
+  double since_start = unset;  ///< [s]
+  double direction = unset;  ///< 1 after a rise of the speed or a start from rest, -1 after a fall
 };
 
-/// Returns the course of every row, in the order of the record.
+/// Returns one Course for every row, in the order of the record.
 ///
-/// A day begins after a pause of more than three hours. The pause must also be more than three
-/// times as long as the 90 % quantile of the time between rows. In a record without such a pause,
-/// the time since the start begins again with every load sweep. A new sweep begins if a rising load
-/// begins to fall, or if a falling load begins to rise. If several records were joined, each record
-/// has its own course.
+/// A new day begins after a pause that is longer than three hours and longer than three times the
+/// 90 % quantile of the time between rows. If a record has no such pause, the time starts from zero
+/// with every load sweep. A new sweep begins if a rising load begins to fall, or if a falling load
+/// begins to rise. If several records were joined, each record is treated separately.
 [[nodiscard]] std::vector<Course> course_of(const record::Record& record);
 
 }  // namespace raceway::model

@@ -8,22 +8,23 @@
 
 namespace raceway::model {
 
-/// Model whose parameters a fit sets repeatedly. This class finds the first stage of the prediction
-/// (Stage) that the new values change.
+/// Model whose parameters a fit changes many times. For each change, the class finds the first
+/// stage of the prediction that must be computed again (Stage, model/steps.h).
 class FittedModel {
  public:
-  /// `steps` must be the steps of the model.
+  /// `steps` must be made from `model`. `places` are the parameters that the fit changes.
   FittedModel(Model model, const Steps& steps, std::vector<ParameterPlace> places);
 
   [[nodiscard]] const Model& model() const { return model_; }
-  /// Returns true if there are no parameters to set.
+  /// Returns true if the fit changes no parameters.
   [[nodiscard]] bool as_entered() const { return places_.empty(); }
-  /// Sets the parameters to `values`, in the order of `places` in the constructor. Returns the
-  /// first stage whose parameters differ from the values of the last keep(). Throws
-  /// std::invalid_argument for values that the model does not accept.
+  /// Sets the parameters to `values`, in the order of `places`. Returns the first stage of the
+  /// prediction that must be computed again. This is the first stage that depends on a parameter
+  /// whose value differs from the value in the last call of keep(). Throws std::invalid_argument
+  /// for values that the model does not accept.
   [[nodiscard]] Stage set(std::span<const double> values);
-  /// Call this function after all predictions were computed with these values, which must be the
-  /// values of the last set().
+  /// Stores the values of the last set(). Call this function after all predictions were computed
+  /// with these values.
   void keep(std::span<const double> values);
 
  private:

@@ -8,14 +8,15 @@
 
 namespace raceway::model {
 
-/// Returns the keys among `keys` that do not change the friction torque: neither the base law
-/// (friction::bearing_data()) nor an active effect uses them. An effect that uses the ball
-/// equilibrium uses all keys except the keys of the contact law. For the laws `contact` and
-/// `table`, the function does not check the keys, and the result is empty.
+/// Returns the keys among `keys` (keys of a model file) that do not affect the friction torque,
+/// because neither the base law (friction::bearing_data()) nor an effect uses them. If the law or
+/// an effect uses the ball equilibrium, the torque depends on nearly all bearing data; the result
+/// then contains only keys that no law except `contact` uses, such as `race_roughness_um`. For the
+/// laws `contact` and `table`, the result is empty.
 [[nodiscard]] std::vector<std::string> ignored_by_friction(const Model& model,
                                                            std::span<const std::string> keys);
 
-/// Returns the keys among `keys` that the given law uses.
+/// Returns the keys among `keys` that the friction law uses.
 [[nodiscard]] std::vector<std::string> taken_in(friction::FrictionLaw law,
                                                 std::span<const std::string> keys);
 

@@ -13,61 +13,61 @@
 /// docs/limits.md lists all limits.
 namespace raceway::model {
 
-/// A limit that a result should not exceed. After a warning, change the design or the operating
-/// point. A note requires no change.
+/// A limit that a result should not exceed. A warning recommends a change of the design or the
+/// operating point. A note only informs.
 struct Limit {
   std::string_view id;     ///< id in JSON documents
-  double value;            ///< in `unit`; NaN if it depends on the bearing
+  double value;            ///< limit in `unit`; NaN if it depends on the bearing
   std::string_view unit;   ///< unit of the limit in texts and JSON documents
   bool is_warning = true;  ///< true: warning; false: note
 };
 
 namespace limits {
 
-/// Largest static equivalent load: the static load rating C0. Source: [ISO76], static safety factor
-/// of 1.
+/// Largest static equivalent load: the static load rating C0, for a static safety factor of 1
+/// [ISO76].
 inline constexpr Limit static_load{"static_load", unset, "N", false};
-/// Largest contact pressure without permanent dents. Source: [ISO76], permanent deformation of 1e-4
-/// ball diameters.
+/// Contact pressure that causes a permanent deformation of 1e-4 ball diameters [ISO76].
 inline constexpr Limit static_pressure{"static_pressure", 4.2, "GPa", false};
 /// Largest Hertz pressure in the contacts of a rotating bearing. Makers of spindle bearings give
-/// 2000 MPa as the limit below which their bearings do not fatigue (from memory, print not
-/// checked). The pressure at the fatigue load limit of [ISO281, annex B] is 1500 MPa.
+/// 2000 MPa as the limit below which their bearings do not fatigue (not checked in a printed
+/// source). The pressure at the fatigue load limit of [ISO281, annex B] is 1500 MPa.
 inline constexpr Limit running_pressure{"running_pressure", 2.0, "GPa"};
-/// Largest speed in the catalogue for one bearing with spring preload. Source: [GMN4000]; balls of
-/// silicon nitride allow 1.25 times this speed [GMN speed factors].
+/// Speed limit that the maker's catalogue gives for a single bearing with spring preload. Source:
+/// [GMN4000]. With balls of silicon nitride, the limit is 1.25 times this speed [GMN speed
+/// factors].
 inline constexpr Limit catalogue_speed{"catalogue_speed", unset, "rpm"};
-/// Speed factor n d_m of the fastest bearings with steel balls in [GMN4000], KH 6014 C: 24 000 rpm
-/// with oil-air and 18 000 rpm with grease at d_m = 90 mm. Balls of silicon nitride allow 1.25
-/// times this value.
+/// Speed factor n d_m (speed times pitch diameter) of the fastest bearings with steel balls in
+/// [GMN4000]. The bearing KH 6014 C with d_m = 90 mm reaches 24 000 rpm with oil-air and 18 000 rpm
+/// with grease. Balls of silicon nitride allow 1.25 times this value.
 inline constexpr Limit speed_factor{"speed_factor", 2.16e6, "mm/min"};
 inline constexpr Limit speed_factor_grease{"speed_factor", 1.62e6, "mm/min"};
 inline constexpr double ceramic_speed_factor = 1.25;
 /// Largest mean temperature of a ring. Spindle greases and oils are selected for up to about 80 °C
-/// at the inner ring. The life of a grease halves for every 15 K above 70 °C (makers' rule, from
-/// memory).
+/// at the inner ring. The life of a grease halves for every 15 K above 70 °C (makers' rule, not
+/// checked in a printed source).
 inline constexpr Limit ring_temperature{"ring_temperature", 80.0, "C"};
 /// Largest ratio of the preload in operation to the mounted preload. The preload in operation is
-/// the force of the less loaded set. Source: the classes of [GMN4000]. The strong preload is 6
-/// times the light preload and twice the medium preload. With a ratio of 3, a spindle with light
-/// preload as mounted runs at medium preload. A spindle with medium preload as mounted runs above
-/// all classes.
+/// the axial force of the less loaded set. Source: preload classes of [GMN4000], in which the
+/// strong preload is 6 times the light preload and twice the medium preload. At a ratio of 3, light
+/// preload becomes medium preload, and medium preload becomes higher than strong preload.
 inline constexpr Limit preload_factor{"preload_factor", 3.0, "times"};
-/// Viscosity above which an oil hardly reaches the contacts. An oil at its pour point has about 1e5
-/// to 1e6 mm²/s [ASTM D97, from memory].
+/// Viscosity above which little oil reaches the contacts. An oil at its pour point [ASTM D97] has
+/// about 1e5 to 1e6 mm²/s (not checked in a printed source).
 inline constexpr Limit oil_stiff{"stiff_oil", 1e5, "mm2/s"};
 /// Temperature up to which rings are dimensionally stable and the additives of mineral oil remain
-/// effective. Source: dimensional stability S0 of bearing rings, 150 °C.
+/// effective. Source: bearing rings of the stabilisation class S0 are dimensionally stable up to
+/// 150 °C.
 inline constexpr Limit oil_hot{"hot_oil", 150.0, "C"};
 /// Largest ratio of interference to bore. Source: makers allow up to 1/1000 of the shaft diameter
-/// (from memory). At 0.6/1000, the hoop stress of a ring is 127 MPa.
+/// (not checked in a printed source). At 1/1000, the hoop stress of a steel ring is about 0.2 GPa.
 inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
-/// Largest slope of the bending line at the nose. At a larger slope, the deflections of beam and
-/// seats are not proportional to the load, and the bearings are tilted far more than the 0.6 mrad
-/// (2 angular minutes, from memory) that spindle ball bearings tolerate.
+/// Largest slope of the bending line at the nose. At a larger slope, the deflections are no longer
+/// proportional to the load. The tilt of the bearings is then also far above the permissible tilt
+/// of spindle ball bearings, 0.6 mrad or 2 angular minutes (not checked in a printed source).
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
-/// Range of speeds, loads and temperatures in the torque table of a model. Outside the range, the
-/// torque at the edge of the table is used.
+/// Range of speeds, loads and temperatures that the torque table of a model covers. Outside this
+/// range, the program uses the torque at the edge of the table.
 inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 
 }  // namespace limits
@@ -76,36 +76,37 @@ inline constexpr Limit friction_table{"friction_table", unset, "Nmm"};
 struct Finding {
   std::string_view limit;  ///< id of the limit that is exceeded
   bool is_warning = true;
-  std::string place = {};                 ///< name of the bearing on its shaft; empty for a rig
+  std::string place = {};                 ///< name of the bearing; empty for a rig
   double value = unset, allowed = unset;  ///< result and limit at the worst point, in `unit`
   std::string_view unit = {};
-  double speed = unset;    ///< speed at the worst point [rad/s]; NaN: as mounted
-  std::size_t points = 1;  ///< number of points beyond the limit
+  double speed = unset;    ///< speed at the worst point [rad/s]; NaN: not given
+  std::size_t points = 1;  ///< number of operating points beyond the limit
   std::string text = {};   ///< one line of text that describes the finding
 };
 
 using Findings = std::vector<Finding>;
 
-/// Returns the finding that `value`, in the unit of the limit, exceeds the limit.
+/// Makes a finding for a `value` above the limit. `value` has the unit of the limit.
 [[nodiscard]] Finding finding(const Limit& limit, double value, std::string text);
 
 [[nodiscard]] std::vector<std::string> warnings_of(const Findings& findings);
 [[nodiscard]] std::vector<std::string> notes_of(const Findings& findings);
 
-/// Results of one bearing at one point [SI]; NaN for unknown values.
+/// Results of one bearing at one operating point [SI]; NaN for unknown values.
 struct JudgedBearing {
   double axial_load = unset, radial_load = unset;
-  double lost_balls = unset;
+  double lost_balls = unset;  ///< number of balls without contact to the inner race
   double inner_pressure = unset, outer_pressure = unset;
-  /// smallest and largest contact angle at the inner ring, of the balls in contact [rad]
+  /// Smallest and largest contact angle at the inner ring, of the balls in contact [rad].
   double least_inner_angle = unset, largest_inner_angle = unset;
   double inner_ring_temperature = unset, outer_ring_temperature = unset;
 };
 
-/// Compares operating points with the limits, one by one. A judge finds balls that have lost
-/// contact with the inner race, balls of an angular-contact bearing that run at the bottom of the
-/// groove or beyond it instead of on the side of the shoulder (bearing/seat.h), and results beyond
-/// a limit. For each finding, the judge stores the number of points and the worst point.
+/// Compares operating points with the limits. Call look() for each bearing at each operating point.
+/// For each exceeded limit, the class stores the number of operating points beyond the limit and
+/// the worst of these points. In addition, the class reports balls without contact to the inner
+/// race. In an angular-contact bearing, the class also reports balls that run at the bottom of the
+/// inner groove or beyond the bottom, instead of on the shoulder side (bearing/seat.h).
 class Judge {
  public:
   explicit Judge(const Model& model);
@@ -117,14 +118,15 @@ class Judge {
   /// Compares only speed and lubricant temperature with their limits.
   void look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
                      const bearing::OperatingPoint& point);
-  /// If the law of the model is a friction table, checks if a rotating bearing is outside the range
-  /// of the table.
+  /// Checks if the operating point of a rotating bearing is outside the range of the friction
+  /// table. Does nothing if the friction law is not `table`.
   void look_at_table(const std::string& place, const bearing::OperatingPoint& point,
                      double axial_load, double radial_load);
-  /// Compares the preload, the smaller axial force of the two sets, with the force as mounted [N].
+  /// Compares the preload in operation with the preload `mounted` [N]. The preload in operation is
+  /// the smaller axial force of the two sets.
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
-  /// Adds the findings of another judge for the same model.
+  /// Adds the findings of another object for the same model.
   void add(const Judge& other);
   [[nodiscard]] Findings findings() const;
 
@@ -155,7 +157,8 @@ class Judge {
   std::size_t turning_ = 0;  ///< number of states of rotating bearings with the law `table`
 };
 
-/// Returns true if the balls are much less dense than the rings, as balls of silicon nitride are.
+/// Returns true if the density of the balls is below 0.7 times the density of the rings, as for
+/// balls of silicon nitride.
 [[nodiscard]] bool has_ceramic_balls(const bearing::Bearing& bearing);
 /// Returns true if the model has ceramic balls; false for rollers.
 [[nodiscard]] bool has_ceramic_balls(const Model& model);
@@ -166,27 +169,28 @@ struct Possible {
   std::string why;      ///< reason, worded for the end of a message
 };
 
-/// Returns the range of speeds that the rings of a bearing can withstand [rad/s]. At these speeds
-/// the hoop stress ρ v² of the inner ring at its raceway is below 2 GPa, the strength of hardened
-/// bearing steel. Source: thin rotating ring, derived.
+/// Returns the range of speeds that the rings of a bearing can withstand [rad/s]. In this range,
+/// the hoop stress ρ v² of the inner ring is below 2 GPa, the strength of hardened bearing steel. ρ
+/// is the density, and v is the circumferential speed of the raceway. Source: thin rotating ring,
+/// derived.
 [[nodiscard]] Possible possible_speeds(const Model& model);
 
-/// Returns the range of possible oil temperatures [K]. At the lower limit, the viscosity is 1e7
-/// mm²/s; a colder oil is as thick as pitch and does not reach a contact. The upper limit is 800 K.
+/// Returns the range of possible oil temperatures [K]. At the lower limit, the oil has a viscosity
+/// of 1e7 mm²/s and is practically solid. The upper limit is 800 K.
 [[nodiscard]] Possible possible_temperatures(const friction::Lubricant& lubricant);
 
 /// Freezing and boiling temperature of water at atmospheric pressure [K].
 inline constexpr double water_freezes = celsius_zero, water_boils = celsius_zero + 100.0;
 
-/// Interference over diameter at which the hoop stress E δ/d of a steel ring reaches the yield
-/// strength of about 1 GPa [1].
+/// Ratio of interference δ to diameter d at which the hoop stress E δ/d of a steel ring reaches the
+/// yield strength of about 1 GPa [1]. E is the elastic modulus.
 inline constexpr double ring_yields = 0.005;
 
-/// Maximum Hertz pressure that no bearing steel withstands [Pa]. The mean pressure, 2/3 of the
-/// maximum, then equals the hardness at 60 HRC, about 7 GPa.
+/// Maximum Hertz pressure at which the mean pressure, 2/3 of the maximum, equals the hardness of
+/// bearing steel, about 7 GPa at 60 HRC [Pa]. No bearing steel withstands this pressure.
 inline constexpr double steel_flows = 10.5e9;
 
-/// Slope of a bending line above which linear beam theory has no meaning [rad].
+/// Slope of a bending line above which linear beam theory is not valid [rad].
 inline constexpr double beam_limit = 0.1;
 
 }  // namespace raceway::model

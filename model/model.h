@@ -21,16 +21,17 @@
 
 namespace raceway::model {
 
-/// Properties of the test rig. Loads and temperatures apply if a record lacks their columns.
+/// Properties of the test rig. The loads and temperatures of the rig are used if a record has no
+/// column for them.
 struct Rig {
   double inertia = unset;  ///< inertia of all parts that coast down [kg m²]; NaN: not given
-  /// True if the user declares the inertia as unknown; all torques then have one unknown common
+  /// True if the user declares the inertia as unknown. All torques then contain the same unknown
   /// factor.
   bool unknown_inertia = false;
-  int bearings = 1;                 ///< number of equal bearings whose torque the rig measures [1]
+  int bearings = 1;                 ///< number of equal bearings on the rig [1]
   double axial_load = unset;        ///< axial load per bearing [N]
   double radial_load = 0.0;         ///< radial load per bearing [N]
-  double temperature = kelvin(40);  ///< bearing temperature [K]
+  double temperature = kelvin(40);  ///< temperature of the bearing [K]
   double room_temperature = unset;  ///< room temperature [K]; NaN: lowest temperature in the record
   double minimum_speed = 0.0;       ///< coast-down rows below this speed are excluded [rad/s]
 
@@ -38,12 +39,12 @@ struct Rig {
   [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
 };
 
-/// Shaft with its sets of bearings. A model without a shaft is one bearing on a rig.
+/// Shaft with its bearing sets.
 struct Shaft {
   bearing::Arrangement arrangement;
   double external_load = 0.0;  ///< axial load, positive towards the tool [N]
   /// Measured temperatures of shaft, housing and rings. Parts without a measured temperature have
-  /// the mounting temperature.
+  /// the temperature at mounting.
   std::optional<bearing::SetTemperatures> temperatures = {};
   /// True if the sets contain bearings that differ from Model::bearing.
   bool own_bearings = false;
@@ -54,48 +55,53 @@ struct PrintedSpeed {
   double oil = unset, grease = unset;
 };
 
-/// Model of a bearing on a rig, or of bearing sets on a shaft, as entered by the user.
-/// rig::RigSubject, shaft::ShaftSubject and spindle::SpindleSubject prepare the model for fits and
-/// diagnosis.
+/// Model of a bearing on a rig, of bearing sets on a shaft, or of a spindle, as entered by the
+/// user. rig::RigSubject, shaft::ShaftSubject and spindle::SpindleSubject prepare the model for
+/// fits and diagnosis.
 struct Model {
   std::string name;
   /// Lowest and highest temperature in the record of a fit or diagnosis [K]; NaN without a record.
   double coldest = unset, hottest = unset;
   ModelBearing bearing;
   friction::Lubricant lubricant;
-  /// Lubricant supply, such as oil bath; empty if not given. The supply excludes some effects.
+  /// Lubricant supply, such as oil bath; empty if not given. Some effects occur only with certain
+  /// kinds of supply.
   std::optional<friction::Supply> supply = {};
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  /// Kind of load, such as P0, in the formulas of the laws palmgren, powers and contact-powers, and
-  /// of all laws for rollers.
+  /// Choice of the load in the friction formulas, such as the static equivalent load P0. The choice
+  /// applies to the laws palmgren, powers and contact-powers, and to all laws for rollers.
   friction::F1Load f1_load = friction::F1Load::P0;
-  /// Parameter values, in the order of friction::parameters(law).
+  /// Values of the parameters of the friction law, in the order of friction::parameters(law).
   std::vector<double> law_values;
   friction::contact::ContactData contact = {};  ///< further inputs of the contact law
   /// Torque table for the law `table`. A model with another law may also name a table; `diagnose`
   /// then tests the law `table` as an alternative. Null if the model names no table.
   std::shared_ptr<const friction::TorqueTable> table = nullptr;
-  std::vector<effects::Effect> effects;  ///< effects in the order in which they were added
+  std::vector<effects::Effect> effects;  ///< effects, in the order in which they were added
   bearing::EquilibriumOptions solver;
-  /// True if traction determines the rotation of the balls instead of race control. Only for the
-  /// contact law; see solve_balls().
+  /// True if the oil traction determines the rotation of the balls; false if race control
+  /// determines the rotation. Only the contact law allows true; see solve_balls().
   bool balanced_balls = false;
   LifeData life = {};
-  PrintedSpeed printed_speed = {};  ///< catalogue speeds; NaN if the sets have different bearings
+  /// Limiting speeds in the catalogue of the bearing; NaN if the sets have different bearings.
+  PrintedSpeed printed_speed = {};
   Rig rig;
-  /// Names of the parameters that a fit may change, as in parameters(). An empty list means
-  /// default_free().
+  /// Names of the parameters that a fit may change. parameters() lists the possible names. If the
+  /// list is empty, a fit may change the parameters in default_free().
   std::vector<std::string> free;
-  /// Shaft of the model. The member `bearing` above is then the first bearing of the front set.
+  /// Shaft with its bearing sets; empty for one bearing on a rig. In a model with a shaft,
+  /// Model::bearing is the first bearing of the front set.
   std::optional<Shaft> shaft = {};
-  /// All other parts of a spindle, in a model of a whole spindle. Such a model also has `shaft`.
+  /// All parts of a spindle except the bearing sets; empty if the model is not a spindle. A model
+  /// with `spindle` also has `shaft`.
   std::optional<Spindle> spindle = {};
-  /// Largest acceptable RMS error of each measured channel, with the name of the channel [SI].
+  /// Largest acceptable RMS error of each measured channel [SI], with the name of the channel.
   std::vector<record::NamedValue> tolerances = {};
-  /// Covariance of the fitted parameters at their current values.
+  /// Covariance of the fitted parameters; empty if no parameters were fitted.
   std::optional<fit::Covariance> covariance = {};
 
-  /// Returns the kind of this model, which selects the form of its effects: spindle, shaft or rig.
+  /// Returns the kind of this model: spindle, shaft or rig. The kind determines which effects are
+  /// possible.
   [[nodiscard]] effects::Form form() const {
     if (spindle) return effects::Form::spindle;
     return shaft ? effects::Form::shaft : effects::Form::rig;

@@ -12,19 +12,19 @@ namespace raceway::model {
 
 /// Bearing of a model: a ball bearing or a cylindrical roller bearing.
 ///
-/// Code for ball bearings converts a ModelBearing to a bearing::Bearing. This conversion throws
-/// std::invalid_argument for rollers, so the program never computes a ball result for rollers.
+/// The conversion to bearing::Bearing is for ball bearings. It throws std::invalid_argument for a
+/// roller bearing.
 class ModelBearing {
  public:
   // Implicit conversions from both kinds of bearing.
   ModelBearing(bearing::Bearing balls) : kind_(std::move(balls)) {}            // NOLINT
   ModelBearing(bearing::RollerBearing rollers) : kind_(std::move(rollers)) {}  // NOLINT
 
-  /// Returns null for a ball bearing.
+  /// Returns the roller bearing; null for a ball bearing.
   [[nodiscard]] const bearing::RollerBearing* rollers() const {
     return std::get_if<bearing::RollerBearing>(&kind_);
   }
-  /// Returns null for a roller bearing.
+  /// Returns the ball bearing; null for a roller bearing.
   [[nodiscard]] const bearing::Bearing* ball_bearing() const {
     return std::get_if<bearing::Bearing>(&kind_);
   }
@@ -41,8 +41,8 @@ class ModelBearing {
   [[nodiscard]] double pitch_diameter() const {
     return rollers() ? rollers()->geometry().pitch_diameter : geometry().pitch_diameter;
   }
-  /// Returns the static load rating C0 [N]. C0 is calculated for rollers; it is NaN for a ball
-  /// bearing whose data do not include C0.
+  /// Returns the static load rating C0 [N]. For a roller bearing, C0 is calculated from the
+  /// geometry. For a ball bearing, C0 is an input; NaN if it is not given.
   [[nodiscard]] double static_load_rating() const {
     return rollers() ? life::static_load_rating(rollers()->geometry())
                      : geometry().static_load_rating;

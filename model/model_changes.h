@@ -7,16 +7,17 @@
 
 namespace raceway::model {
 
-/// A parameter that differs from the previous model or is new.
+/// A parameter that is new, or whose value differs from the previous model.
 struct ChangedNumber {
   std::string name;       ///< name as in parameters()
-  std::string unit;       ///< unit as in files
+  std::string unit;       ///< unit in the model file
   double before = unset;  ///< NaN if the previous model lacks the parameter
   double after = unset;
 };
 
-/// Changes between two models: added and removed effects, and changed values of parameters(). These
-/// are all changes that `calibrate` and `add` can make. Other differences are not reported.
+/// Changes between two models: added and removed effects, and changed values of parameters().
+/// `calibrate` and `add` make no other changes. Other differences between the models are not
+/// reported.
 struct ModelChanges {
   std::vector<std::string> added, removed;  ///< ids of the effects
   std::vector<ChangedNumber> numbers;       ///< in the order of parameters()

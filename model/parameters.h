@@ -12,8 +12,8 @@
 namespace raceway::model {
 
 /// Returns all parameters of a model that a fit can change, with their values in the model. The
-/// order is: base law, arrangement, bearing, spindle, then the effects in their order. Each line
-/// below gives the name of a parameter and its addresses in the model file.
+/// order is: base law, arrangement, bearing, spindle, effects. Each line below gives the name of a
+/// parameter and its addresses in the model file.
 ///
 ///   f0, z, y, mu_bl, scale ...  friction.f0, friction.z and so on
 ///   limiting_traction           lubricant.limiting_traction
@@ -37,39 +37,40 @@ namespace raceway::model {
 ///   sensor.NAME.position_mm     sensor.2.position_mm of the third sensor
 ///   mixed-lubrication.K_rs      effect.2.K_rs of the third effect; the name is "id.name"
 ///
-/// Indices in addresses begin at 0, and coolant.circuit.0 is the second circuit.
-/// Parameters of the bearing exist only with a shaft whose sets have equal bearings. A parameter of
-/// the bearing has one value for all bearings of the arrangement. The preload is a parameter only
-/// if it is given as a force. Only parameters of effects have a plausible range and a neutral value
-/// (record::Parameter::neutral). For parameters of no effect, range and neutral value are NaN.
+/// Indices in addresses begin at 0, and coolant.circuit.0 is the second circuit. Parameters of the
+/// bearing exist only with a shaft whose sets have equal bearings. A parameter of the bearing has
+/// one value for all bearings of the arrangement. The preload is a parameter only if the model file
+/// gives a preload force. Plausible range and neutral value (record::Parameter::neutral) are given
+/// for parameters of effects; for all other parameters, they are NaN.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
 /// Returns the usual range of an effect's parameter for the size of the model's bearing, in the
-/// unit of the files. On a coast-down rig, an effect to which all rotating parts contribute has no
-/// published range. The upper limit is then the bound of the parameter.
+/// unit of the files. No range is published for effects to which all rotating parts of a coast-down
+/// rig contribute. For these effects, the upper limit is the upper bound of the parameter.
 [[nodiscard]] std::pair<double, double> plausible_range(const effects::Description& effect,
                                                         const effects::Parameter& number,
                                                         const Model& model);
 
-/// Returns the bounds of an effect's parameter in the unit of the files. For a temperature that
-/// must occur in the record, the bounds are the lowest and the highest recorded temperature.
+/// Returns the bounds of an effect's parameter in the unit of the files. If
+/// record::NumberCard::of_the_record is true, the bounds are the lowest and the highest recorded
+/// temperature.
 [[nodiscard]] std::pair<double, double> bounds_of(const effects::Parameter& number,
                                                   const Model& model);
 
-/// Place of a parameter in a model. Addresses are resolved once, because a fit sets parameters
-/// thousands of times.
+/// Place of a parameter in a model. Create the place once before a fit, because a fit sets
+/// parameters thousands of times.
 class ParameterPlace {
  public:
   /// Throws std::invalid_argument for an address that the model does not have.
   ParameterPlace(const Model& model, const record::Parameter& parameter);
 
-  /// Returns the value in the unit of the file. `model` must have the same effects as the model
-  /// from which the place was made.
+  /// Returns the value in the unit of the model file. `model` must have the same effects as the
+  /// model that the constructor received.
   [[nodiscard]] double get(const Model& model) const;
-  /// Throws std::invalid_argument if bearing or arrangement rejects the value.
+  /// Sets the value, in the unit of the model file. Throws std::invalid_argument if the bearing or
+  /// the arrangement cannot have this value.
   void set(Model& model, double value) const;
-  /// Returns the index of the effect to which the parameter belongs; -1 for a parameter of no
-  /// effect.
+  /// Returns the index of the effect to which the parameter belongs; -1 if it belongs to no effect.
   [[nodiscard]] int effect() const { return effect_; }
   /// Returns the index of the thermometer whose position is the parameter; empty for all other
   /// parameters.
@@ -90,14 +91,14 @@ class ParameterPlace {
 };
 
 /// Returns the value at the addresses of a parameter, in the unit of the files. Throws the same
-/// exceptions as ParameterPlace.
+/// exceptions as the functions of ParameterPlace.
 [[nodiscard]] double get(const Model& model, const record::Parameter& parameter);
 void set(Model& model, const record::Parameter& parameter, double value);
 
 /// Returns the parameters of a friction law that a fit changes by default:
 ///
-///   palmgren         f0, z (the data rarely separate y from z); f0, f1 for rollers
-///   powers           all parameters, as for contact-powers
+///   palmgren         f0, z; not y, because data rarely separate y from z. For rollers: f0, f1
+///   powers           all parameters; also for contact-powers
 ///   skf              mu_EHL, K_rs
 ///   contact          rolling_factor
 ///   table            scale

@@ -10,24 +10,24 @@
 
 namespace raceway::model {
 
-/// Rings of a bearing on the shaft and their seats, for balls or rollers. Radial sizes are given as
-/// diameters.
+/// Rings of a ball or roller bearing on the shaft, and the seats of the rings.
 struct Rings {
-  double position = unset;                      ///< distance of the middle from the nose face [m]
-  double width = unset;                         ///< [m]
+  double position = unset;  ///< axial distance from the nose face to the middle of the bearing [m]
+  double width = unset;     ///< [m]
   double bore = unset, outer_diameter = unset;  ///< bore and outer diameter of the bearing [m]
-  /// Outer diameter of the inner ring and inner diameter of the outer ring: shoulders next to the
-  /// balls, or raceways of rollers [m].
+  /// Outer diameter of the inner ring and inner diameter of the outer ring [m]: at the shoulders of
+  /// a ball bearing, or at the raceways of a roller bearing.
   double inner_shoulder = unset, outer_shoulder = unset;
-  /// Diametral fits of the seats, cold and at standstill [m].
+  /// Diametral interference of the inner seat and clearance of the outer seat, cold and at
+  /// standstill [m].
   double inner_interference = unset, outer_clearance = unset;
   [[nodiscard]] double front() const { return position - 0.5 * width; }
   [[nodiscard]] double rear() const { return position + 0.5 * width; }
 };
 
 /// Returns the rings of all bearings on the shaft: front set, rear set, then the roller bearings.
-/// Throws std::invalid_argument if the number of positions differs from the number of bearings in
-/// the sets.
+/// Throws std::invalid_argument if the number of bearing positions differs from the number of
+/// bearings in the sets.
 [[nodiscard]] std::vector<Rings> rings_of(const Spindle& spindle, const bearing::Arrangement& sets);
 
 /// Returns the names of all bearings in the order of rings_of(). `front` and `rear` are the numbers

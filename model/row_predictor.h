@@ -14,41 +14,45 @@
 
 namespace raceway::model {
 
-/// Predicts one row repeatedly with different parameters of one model. The predictor stores all
-/// results. It solves the equilibrium again only if the condition changes, and computes other
-/// results again only if a changed parameter affects them. See predict_friction() for the steps.
+/// Predicts one row of a record repeatedly with different parameter values of one model. The
+/// predictor stores its results and computes a result again only if a changed parameter affects
+/// this result. See predict_friction() for the steps.
 class RowPredictor {
  public:
   using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
 
-  /// `given` is a condition of the bearing in addition to the changes by the effects in `steps`.
-  /// `known` is the ball equilibrium of the row under this condition, on a rig or in a set on a
-  /// shaft; null if it is not known. `bearing` is the bearing of this equilibrium, if it differs
-  /// from the bearing of the model. `rollers` is the equilibrium of the original cylindrical roller
-  /// bearing, if available.
+  /// `given` is the condition of the bearing before the effects in `steps` change it: extra load,
+  /// tilt, ring growth and ball material. `known` is the ball equilibrium of the row under the
+  /// condition `given`; null if it is not known. `bearing` is the bearing of this equilibrium; null
+  /// if it is the bearing of the model. `rollers` is the equilibrium of the original cylindrical
+  /// roller bearing; null if it is not known.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
                const effects::Record& record, Balance known = nullptr,
                const effects::Condition& given = {},
                std::shared_ptr<const bearing::Bearing> bearing = nullptr,
                Rollers rollers = nullptr);
 
-  /// Returns the reading of the rig [N m]; NaN without a prediction. Results are stored. Parameters
-  /// that affect a stage before `from` must have the same values as in the last call.
+  /// Predicts the reading of the rig [N m]; NaN if no prediction is possible. The function computes
+  /// only the stage `from` of the prediction and all later stages (see Stage). Parameters that
+  /// affect an earlier stage must have the same values as in the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
-  /// Returns the bearing and loads whose equilibrium predict() will need, so that a caller can
-  /// solve many cases together and pass the results to answer(). The result is empty if no
-  /// equilibrium is needed, if it is already stored, if an input is unknown, or if the equilibrium
-  /// has an imposed tilt or traction-controlled balls.
+  /// Returns the bearing and the loads for which predict() needs an equilibrium. A caller can solve
+  /// the equilibria of many rows together and pass each result to answer(). The result is empty if
+  /// no equilibrium is needed, if the equilibrium is already stored, or if an input is unknown. The
+  /// result is also empty if the shaft imposes a tilt, or if the oil traction determines the
+  /// rotation of the balls. In the cases of an imposed tilt or of oil traction, predict() solves
+  /// the equilibrium.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
-  /// Solves only the equilibrium, as predict() would.
+  /// Solves the equilibrium that predict() needs, and computes nothing else.
   void balance(const Model& model, const Steps& steps);
 
-  /// Returns the inputs of the contact law in a known equilibrium. A caller can compute the contact
-  /// friction and pass it to answer_contacts(); predict() then uses it. The result is empty for
-  /// laws other than the contact law, without an equilibrium, for
-  /// traction-controlled balls, and if an effect changes the bearing data or the film.
+  /// Solves the ball equilibrium and returns the inputs of the contact law. A caller can compute
+  /// the contact friction of many rows together and pass each result to answer_contacts(). The
+  /// result is empty if the law is not the contact law, if no equilibrium exists, if the oil
+  /// traction determines the rotation of the balls, or if an effect changes the bearing or the
+  /// film.
   [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
                                                                            const Steps& steps);
   void answer_contacts(const Model& model, const friction::contact::ContactResult& contacts);
@@ -91,8 +95,6 @@ class RowPredictor {
   double temperature_, viscosity_;          // values of the row after corrections
   std::optional<friction::Lubricant> oil_;  // set if it differs from the oil of the model
 
-  /// Stored equilibrium for another condition. The predictor uses it again if a fit returns to
-  /// parameter values for which it has already requested a prediction.
   struct KnownBalance {
     effects::Condition condition;
     BallTurning turning;
@@ -109,7 +111,7 @@ class RowPredictor {
   std::shared_ptr<const bearing::Bearing> bearing_;  // null: original bearing
   Balance equilibrium_;
   Rollers rollers_;      // no parameter of a model changes it
-  BallTurning turning_;  // ball rotation inputs of that equilibrium
+  BallTurning turning_;  // ball rotation inputs of `equilibrium_`
   bearing::SolveReport report_;
   HoldingMoments held_;  // for an imposed tilt; otherwise NaN
   effects::Film film_;
@@ -121,23 +123,25 @@ class RowPredictor {
   double torque_ = unset, reading_ = unset;
 };
 
-/// Solves the equilibria of several rows together, which is faster than one by one.
+/// Solves the equilibria of several rows together. This is faster than solving them one by one.
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
-/// Computes the contact friction of several rows together (friction/contact/many_contacts.h). The
-/// equilibria of the rows must be solved before.
+/// Computes the contact friction of several rows together (friction/contact/many_contacts.h). Call
+/// solve_balances() before this function, because this function solves missing equilibria one by
+/// one.
 void solve_contacts(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
-/// Calls predict() for all rows. Equilibria are solved several at a time, and rows are distributed
-/// over threads. Each row is independent, so the result does not depend on the number of threads,
-/// to the last digit.
+/// Calls predict() for all rows. The rows are distributed over threads. The result is exactly the
+/// same for any number of threads.
 void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
                  std::span<double> readings, Stage from = Stage::entry);
 
-/// Returns the equilibria of points for the original bearing without effects.
+/// Returns the ball equilibria at the operating points `points`, for the original bearing without
+/// effects.
 [[nodiscard]] std::vector<Balance> entered_balances(
     const Model& model, std::span<const bearing::OperatingPoint> points);
-/// Returns the equilibria of a cylindrical roller bearing without effects.
+/// Returns the roller equilibria at the operating points `points`, for a cylindrical roller bearing
+/// without effects.
 [[nodiscard]] std::vector<RowPredictor::Rollers> entered_rollers(
     const Model& model, std::span<const bearing::OperatingPoint> points);
 

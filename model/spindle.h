@@ -43,7 +43,8 @@ inline constexpr SolidMaterial iron_of_housings{.conductivity = 48.0,
                                                 .elastic_modulus = 120e9,
                                                 .poissons_ratio = 0.26};
 
-/// A piece of a shaft or housing between two planes. Pieces are listed from the nose to the rear.
+/// A piece of a shaft or housing with constant diameters. Segments are listed from the nose to the
+/// rear.
 struct Segment {
   double length = unset;    ///< [m]
   double diameter = unset;  ///< outer diameter [m]
@@ -61,7 +62,8 @@ struct Disk {
   double polar_inertia = unset;  ///< moment of inertia about the shaft axis [kg m²]
 };
 
-/// A spring between shaft and housing, for a bearing of which only the stiffness is known.
+/// A spring between shaft and housing, for a bearing whose stiffness is known and whose geometry is
+/// unknown.
 struct Support {
   double position = unset;          ///< distance behind the nose face [m]
   double radial_stiffness = unset;  ///< [N/m]
@@ -84,14 +86,15 @@ struct ScrewedJoint {
 };
 
 struct Housing {
-  double start = unset;  ///< front face, distance behind the nose face [m]
-  /// Segments from the front face. If the bore of a segment is NaN, it equals the outer diameter of
-  /// the bearings.
+  double start = unset;  ///< position of the front face: distance behind the nose face [m]
+  /// Segments of the housing, from the front face to the rear. If the bore of a segment is NaN, the
+  /// bore equals the outer diameter of the bearings.
   std::vector<Segment> segments;
-  double flange = unset;           ///< middle of the flange, distance behind the nose face [m]
+  /// Position of the middle of the flange: distance behind the nose face [m].
+  double flange = unset;
   double flange_length = 20 * mm;  ///< axial length of the flange [m]
-  /// Thermal conductance from the flange into the machine [W/K]. If `flange_joint` is given, this
-  /// is only the conductance behind the joint.
+  /// Thermal conductance from the flange into the machine [W/K]. If `flange_joint` is given, the
+  /// value does not include the joint.
   double flange_conductance = 4.0;
   std::optional<ScrewedJoint> flange_joint = {};
 };
@@ -106,16 +109,16 @@ struct Seat {
   double hardness = 3e9;            ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
-  /// Clamping forces of the inner rings with their spacers, and of the outer rings [N]. If a force
-  /// is given, the conductance of the side faces depends on the contact pressure. If the force is
-  /// NaN, the side faces have shoulder_conductance, and spacers have no contact resistance.
+  /// Axial clamping forces of the inner rings with their spacers, and of the outer rings [N]. A
+  /// given force determines the contact pressure of the side faces, and this pressure their
+  /// conductance. If a force is NaN, the side faces have `shoulder_conductance`, and spacers have
+  /// no contact resistance.
   double inner_clamping_force = unset, outer_clamping_force = unset;
   /// Conductance from a side face of an outer ring to an adjacent collar of the shaft [W/(m² K)].
-  /// The default assumes a contact as at a shoulder. An open air gap of 0.1 mm would conduct 270
-  /// W/(m² K).
+  /// The default assumes that ring and collar touch, as at a shoulder. For an air gap of 0.1 mm,
+  /// the conductance is 270 W/(m² K).
   double collar_conductance = 8000.0;
-  /// Conductance of the outer seats [W/(m² K)]. If given, it replaces the value computed from the
-  /// clearance.
+  /// Conductance of the seats of the outer rings [W/(m² K)]; NaN: computed from the clearance.
   double outer_conductance = unset;
 };
 
@@ -123,19 +126,22 @@ enum class Fluid { water, oil };
 
 inline constexpr double l_per_min = 1e-3 / 60;  ///< one litre per minute [m³/s]
 
-/// A cylindrical roller bearing on the shaft in addition to the sets, free to move axially. The
-/// friction of the bearing follows Palmgren's formulas.
+/// A cylindrical roller bearing on the shaft, in addition to the sets of ball bearings. It carries
+/// no axial load. Its friction follows Palmgren's formulas.
 struct RollerOnShaft {
-  std::string name;         ///< NAME in columns such as NAME_clearance_um
+  /// Name of the bearing; replaces NAME in columns such as NAME_clearance_um.
+  std::string name;
   double position = unset;  ///< distance behind the nose face [m]
   /// Bore, outer diameter and width must be given.
   bearing::RollerBearing bearing;
   double f0 = unset, f1 = unset;  ///< factors of Palmgren's formulas [1]
+  /// Load that enters Palmgren's formula for the load moment.
   friction::F1Load counted = friction::F1Load::rollers;
-  /// Diametral fits of the seats of this bearing [m]; NaN means the values of Seat.
+  /// Diametral interference and clearance of the seats of this bearing [m]; NaN: the values in Seat
+  /// are used.
   double inner_interference = unset, outer_clearance = unset;
-  /// Thermal conductance through the lubricant, in addition to the contacts [W/K]; NaN means the
-  /// value of the ball bearings.
+  /// Thermal conductance of this bearing through the lubricant [W/K]; NaN:
+  /// Spindle::lubricant_conductance is used. The conductance of the dry contacts is added.
   double lubricant_conductance = unset;
 };
 
@@ -160,10 +166,14 @@ struct Coolant {
   double throttle_diameter = unset;   ///< diameter of an orifice at the outlet [m]; NaN: none
 };
 
-/// A further coolant circuit, with a channel around another span of the housing.
+/// A further coolant circuit with its own channel in the housing.
 struct Circuit {
-  std::string name;  ///< NAME in the columns NAME_outlet_temperature_C and heat_to_NAME_W
-  Coolant channel;   ///< if its inlet temperature is NaN, the value of the first circuit is used
+  /// Name of the circuit; replaces NAME in the columns NAME_outlet_temperature_C and
+  /// heat_to_NAME_W.
+  std::string name;
+  /// Coolant channel. If the inlet temperature of this channel is NaN, the coolant enters with the
+  /// inlet temperature of the first circuit.
+  Coolant channel;
 };
 
 enum class RotatingConvection { becker, kendoush, anderson_saunders };
@@ -177,12 +187,13 @@ struct Ambient {
   RotatingConvection rotating_convection = RotatingConvection::becker;
 };
 
-/// A heat source other than bearing friction, and the place that it heats.
+/// A heat source other than bearing friction.
 struct HeatSource {
-  /// Heated place. `shaft` and `housing`: a span of this part. `motor`: shaft and housing between
-  /// the sets. `pulley`: the shaft behind the last bearing. `seal`: the shaft between the front
-  /// face of the housing and the first bearing. `bearing`: the raceways of one bearing. A given
-  /// span replaces the place of `motor`, `pulley` and `seal`.
+  /// Heated place. `shaft` and `housing` mean a span of this part along the axis, given by
+  /// `position` and `length`. `motor` is shaft and housing between the bearing sets, `pulley` is
+  /// the shaft behind the last bearing, and `seal` is the shaft between the front face of the
+  /// housing and the first bearing. If `position` and `length` are given for `motor`, `pulley` or
+  /// `seal`, the heat enters this span instead. `bearing` means the raceways of one bearing.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
   /// Name of the source: "motor", "drive" or the name of a [[heat]] in the model file.
   std::string name = {};
@@ -192,18 +203,20 @@ struct HeatSource {
   std::shared_ptr<const record::Expression> formula = {};
   double factor = 1.0;  ///< factor on the formula [1]
   Place place = Place::shaft;
-  std::size_t bearing = 0;  ///< index of the heated bearing, as in rings_of()
-  double position = unset;  ///< middle of the span, distance behind the nose face [m]
-  double length = unset;    ///< length of the span [m]
-  /// Radius of the heated cells [m]; NaN: all cells from the bore to the surface.
+  /// Index of the heated bearing: front set, rear set, roller bearings, see rings_of().
+  std::size_t bearing = 0;
+  /// Position of the middle of the heated span: distance behind the nose face [m].
+  double position = unset;
+  double length = unset;  ///< length of the heated span [m]
+  /// Radius of the heated cells of the mesh [m]; NaN: all cells from the bore to the surface.
   double radius = unset;
   double rotor_diameter = unset;  ///< outer diameter of the motor's rotor [m]
-  /// Share of a motor's heat that enters the shaft; the rest enters the housing. For heat at a
-  /// bearing: share that enters the inner ring; the rest enters the outer ring [1].
+  /// Share of a motor's heat that enters the shaft [1]. The rest enters the housing. For a heat
+  /// source at a bearing, this share enters the inner ring, and the rest enters the outer ring.
   double rotor_share = 1.0;
 };
 
-/// Variables that a heat formula may contain. Each name ends with the unit.
+/// Variables that the formula of a heat source may contain. Each name ends with its unit.
 inline const std::vector<std::string> heat_variables{"speed_rpm", "axial_load_N", "radial_load_N",
                                                      "moment_Nm", "belt_force_N", "motor_power_W"};
 
@@ -216,7 +229,7 @@ struct Gap {
 /// Place of a thermometer.
 struct ThermometerPlace {
   enum class Part { shaft, ring, housing, coolant };
-  std::string name;  ///< NAME in the column NAME_temperature_C
+  std::string name;  ///< name of the thermometer; replaces NAME in the column NAME_temperature_C
   Part part = Part::housing;
   /// Distance behind the nose face [m]. In the coolant, the position is between start and end of
   /// the channel; NaN means the outlet.
@@ -224,12 +237,13 @@ struct ThermometerPlace {
   double radius = unset;  ///< distance from the shaft axis [m]
 };
 
-/// Thermal network of bodies and conductances that replaces the geometry, for experts and tests.
+/// Thermal network of bodies and conductances, in place of the geometry of the spindle; for experts
+/// and tests.
 struct Network {
   struct Node {
     std::string name;
     double capacity = unset;     ///< heat capacity [J/K]; 0 or NaN if `temperature` is given
-    double temperature = unset;  ///< fixed temperature [K]
+    double temperature = unset;  ///< fixed temperature [K]; NaN: computed
     double heat = 0.0;           ///< heat flow into the body [W]
   };
   struct Link {
@@ -243,7 +257,7 @@ struct Network {
 enum class Cells { coarse, medium, fine };
 
 /// All parts of a spindle except the ball bearings, their lubricant and arrangement. Positions are
-/// distances behind the nose face. Displacements are movements of the nose relative to the
+/// distances behind the nose face. A displacement is the movement of the nose relative to the
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
@@ -253,8 +267,8 @@ struct Spindle {
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
   double bearing_width = unset;                                     ///< width of one bearing [m]
   double inner_ring_shoulder = unset, outer_ring_shoulder = unset;  ///< shoulder diameters [m]
-  /// Conductance of one bearing through oil film, lubricant and rolling balls, in addition to the
-  /// contacts [W/K].
+  /// Thermal conductance of one bearing in operation through oil film, lubricant and rolling balls
+  /// [W/K]. This value excludes the dry contacts of the balls, whose conductance the program adds.
   double lubricant_conductance = unset;
   /// Share of a bearing's friction power that heats its inner ring [1]. If the value is NaN,
   /// split_heat() computes the share.
@@ -263,8 +277,8 @@ struct Spindle {
   std::vector<RollerOnShaft> rollers = {};
   Housing housing = {};
   Seat seat = {};
-  std::optional<Coolant> coolant = {};  ///< first circuit
-  std::vector<Circuit> circuits = {};   ///< further circuits; only allowed with `coolant`
+  std::optional<Coolant> coolant = {};  ///< first coolant circuit
+  std::vector<Circuit> circuits = {};   ///< further coolant circuits; only with `coolant`
   Ambient ambient = {};
   std::optional<HeatSource> motor = {};
   std::optional<HeatSource> drive = {};
@@ -275,8 +289,8 @@ struct Spindle {
   std::optional<Network> network = {};  ///< thermal network that replaces the geometry
   Cells cells = Cells::medium;
   double step = unset;  ///< longest adaptive time step [s]; NaN: 600 s
-  /// Residuals of temperatures [K] and of displacements [m] up to these values are attributed to
-  /// simplifications of the model.
+  /// Assumed standard deviations of the model error, for temperatures [K] and displacements [m]. A
+  /// fit adds the variance of the model error to the variance of the noise.
   double model_floor_temperature = 0.5, model_floor_displacement = 1 * um;
 
   /// Returns the channels of all circuits, `coolant` first.

@@ -9,13 +9,14 @@ struct HoldingMoments {
   double y = unset, z = unset;
 };
 
-/// Solves the equilibrium of a bearing like solve_balls(), under the forces of a point. The shaft
-/// holds the inner ring at a tilt about z [rad]. Newton's method solves for the two moments that
-/// this tilt needs. The method starts from `neighbour`, which may be null, and from the moments of
-/// the neighbour in `moments`, unless they are NaN. The function then replaces `moments` by the
-/// solved moments, or by NaN if the solve fails.
+/// Solves the equilibrium of a bearing like solve_balls(), under the forces of the operating point.
+/// The shaft holds the inner ring at the angle `tilt` about z [rad]. Newton's method computes the
+/// moments about the two radial axes that hold this tilt. The iteration starts from `neighbour`, a
+/// known solution for a similar tilt, and from its moments, which the caller passes in `moments`.
+/// Without a known solution, pass null as `neighbour` and NaN as moments. The function replaces
+/// `moments` by the computed moments, or by NaN if the method does not converge.
 ///
-/// Accuracy: tilt to 1e-10 rad.
+/// Accuracy: the computed tilt differs from `tilt` by less than 1e-10 rad.
 [[nodiscard]] bearing::BearingEquilibrium solve_tilted(const Model& model,
                                                        const bearing::Bearing& bearing,
                                                        bearing::OperatingPoint point, double tilt,

@@ -16,19 +16,20 @@ struct TorqueLoad {
 };
 
 /// Returns the saturated regression of a friction torque: a regression with so many terms that its
-/// residuals are noise. Its terms are those of a cubic polynomial in ln speed, the load and the
-/// temperature, each multiplied by the predicted torque of the row. Each load in
-/// `further` adds four terms: its value, its square, and its products with ln speed and with
-/// `load`. The recorded preload and each ring temperature add the same kinds of terms if they vary.
+/// residuals are noise. The regression has 15 terms of a cubic polynomial in ln speed, the main
+/// load (`load`) and temperature. Each further load (`further`) adds four terms: the load, its
+/// square, and its products with ln speed and with the main load. If the recorded preload varies,
+/// its logarithm adds four such terms. Each recorded ring temperature that varies also adds four
+/// terms. Every term is multiplied by the predicted torque of the row.
 [[nodiscard]] fit::Saturation torque_saturation(const record::Record& record, TorqueLoad load,
                                                 std::vector<TorqueLoad> further = {});
 
-/// Returns the natural logarithms of the absolute values. Values below a hundredth of the largest
-/// value are first raised to this limit, because a row without load or speed has no logarithm.
+/// Returns the natural logarithms of the absolute values. Absolute values below 1 % of the largest
+/// absolute value are first raised to this limit, because the logarithm of zero does not exist.
 [[nodiscard]] std::vector<double> logarithm(std::vector<double> values);
 
-/// Returns the channels whose recorded values scatter: the temperature if it varies; otherwise an
-/// empty list.
+/// Returns a list with the temperature channel if the recorded temperature varies; otherwise an
+/// empty list. The scatter of a temperature reading adds to the scatter of the residuals.
 [[nodiscard]] std::vector<const record::Channel*> scattering_temperature(
     const record::Record& record);
 

@@ -14,17 +14,16 @@ namespace raceway::record {
 /// Role of a column.
 enum class Role {
   setting,    ///< set by the operator; may explain a reading
-  recorded,   ///< recorded but not set; may explain a reading
+  recorded,   ///< input that the operator does not set; may explain a reading
   measured,   ///< reading of a sensor; a model may predict it
   deviation,  ///< standard deviation of the readings of a measured channel
   time,
   run,   ///< index of the run of a row
-  part,  ///< in a record joined from several: index of the record that the row comes from
-  kept   ///< recorded under a name that the program does not know; no model uses it
+  part,  ///< for a record from joined(): index of the original record of a row
+  kept   ///< column with an unknown name; no model uses it
 };
 
-/// Quantity that a column of a record can contain. Code that reads, shows or sorts columns uses
-/// only this description.
+/// Quantity that a column of a record can contain.
 struct Channel {
   std::string_view name;             ///< name of the column with its unit at the end: "speed_rpm"
   std::string_view variable = name;  ///< name without unit, as in results: "speed"
@@ -34,23 +33,25 @@ struct Channel {
   double offset = 0.0;
   double lower = 0.0, upper = 0.0;  ///< lowest and highest allowed value, in the unit of the column
   Role role = Role::setting;
-  /// Largest difference between neighbouring values of one level: in SI units, or relative to the
-  /// largest value [1] if `ratio` is true.
+  /// Step that separates two levels of a quantity: if the values are sorted, a larger difference
+  /// between neighbours begins a new level. The step is in SI units, or relative to the largest
+  /// value [1] if `ratio` is true.
   double step = 0.0;
   bool ratio = false;  ///< true: `step` is relative to the largest value
-  /// Kind of quantity, such as "load". In find_repeats(), tolerances are relative to the largest
-  /// value of all channels of one kind.
+  /// Kind of quantity, such as "load". In find_repeats(), a relative tolerance refers to the
+  /// largest value of all channels of one kind.
   std::string_view kind = {};
-  /// Text that the program prints after a value: "rpm", "N axial load".
+  /// Text that the program prints after a value: "rpm" or "N axial load".
   std::string_view place = {};
-  /// Name of the measured channel, if this channel is its standard deviation.
+  /// Name of the measured channel whose standard deviation this channel contains; empty for other
+  /// channels.
   std::string_view of = {};
-  /// Text about the sign of a measured channel: "positive towards the tool".
+  /// Sign convention of a measured channel, as text: "positive towards the tool".
   std::string_view direction = {};
 
   [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
-  /// Returns the unit as column names and keys spell it: "Nmm".
+  /// Returns the unit in the spelling of column names and keys: "Nmm".
   [[nodiscard]] constexpr std::string_view key_unit() const {
     return name.size() > variable.size() ? name.substr(variable.size() + 1) : std::string_view();
   }
@@ -63,7 +64,8 @@ struct Channel {
 
 inline constexpr double endless = std::numeric_limits<double>::max();
 
-/// All quantities with a fixed name. The first quantity is the speed, which most records sweep.
+/// All quantities with a fixed column name. The list begins with the speed, because the speed
+/// varies in most records.
 inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .variable = "speed",
                                              .words = "speed",
@@ -205,8 +207,8 @@ inline constexpr const Channel& axial_displacement = *find_channel("axial_displa
 inline constexpr const Channel& torque_deviation = *find_channel("std_Nmm");
 inline constexpr const Channel& displacement_deviation = *find_channel("std_um");
 
-/// Channel of a column that joined() adds: index of the record that each row comes from. Files do
-/// not have this column.
+/// Channel of a column that joined() adds: index of the original record of each row. Files do not
+/// contain this column.
 inline constexpr Channel part{.name = "record", .words = "record", .role = Role::part, .step = 0.5};
 
 }  // namespace raceway::record

@@ -2,7 +2,7 @@
 
 namespace raceway::record {
 
-/// Returns the double nearest to `value` rounded to `digits` significant decimal digits, 1 to 17.
+/// Returns `value` rounded to `digits` significant decimal digits. `digits` is 1 to 17.
 ///
 /// Fifteen digits remove the rounding error of a unit conversion: 6000.000000000001 rpm becomes
 /// 6000 rpm. The result does not depend on the locale. NaN and infinite values are returned

@@ -8,7 +8,7 @@
 
 namespace raceway::record {
 
-/// Exception for an invalid formula. It gives the position of the error.
+/// Exception for an invalid formula, with the position of the error.
 struct FormulaError : std::invalid_argument {
   FormulaError(const std::string& what, std::size_t where, std::string which)
       : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}
@@ -20,8 +20,8 @@ struct FormulaError : std::invalid_argument {
 /// may evaluate one formula at the same time.
 class Expression {
  public:
-  /// `names` are the variables that the formula may use. Throws FormulaError for an invalid formula
-  /// and for any other variable.
+  /// `names` are the variables that the formula may use. Throws FormulaError for an invalid
+  /// formula, and for a variable that is not in `names`.
   Expression(std::string text, std::vector<std::string> names);
   ~Expression();
 
@@ -29,7 +29,8 @@ class Expression {
   /// Returns the indices in `names` of the variables that the formula uses, in ascending order.
   [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
   /// Evaluates the formula. `values` are the values of the variables in used(), in the same order.
-  /// The result is NaN if the formula has no value, for example outside the domain of a function.
+  /// The result is NaN if the formula has no value at this point, for example if a function is not
+  /// defined there.
   [[nodiscard]] double operator()(std::span<const double> values) const;
 
  private:

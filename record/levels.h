@@ -16,8 +16,8 @@ namespace raceway::record {
 /// `starts` is the result of level_starts().
 [[nodiscard]] std::size_t level_of(double value, std::span<const double> starts);
 
-/// Returns the step of a channel for these values [SI]: Channel::step, multiplied by the largest
-/// absolute value if Channel::ratio is true.
+/// Returns the largest difference between neighbouring sorted values of one level [SI]:
+/// Channel::step, multiplied by the largest absolute value in `values` if Channel::ratio is true.
 [[nodiscard]] double step_of(const Channel& channel, std::span<const double> values);
 
 }  // namespace raceway::record

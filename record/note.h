@@ -7,7 +7,8 @@
 
 namespace raceway::record {
 
-/// Place in a file or command of the user. A member that is unknown is empty or 0.
+/// Place in a file or in a command, to which a message refers. A member is empty or 0 if it is
+/// unknown.
 struct Place {
   std::string file = {};
   int line = 0;          ///< line number, starting at 1
@@ -17,7 +18,7 @@ struct Place {
 };
 
 enum class NoteKind {
-  note,     ///< the program informs about its treatment of the input
+  note,     ///< information about the treatment of the input
   doubt,    ///< an input may be wrong
   warning,  ///< a result may be wrong or incomplete
 };
@@ -26,8 +27,8 @@ enum class NoteKind {
 
 struct Note;
 
-/// Code of a note, which says what the note is about. Programs should identify a note by the name
-/// of its code, not by its text.
+/// Code that identifies the subject of a note. Programs should compare the name of the code,
+/// because the text of a note may change.
 struct NoteCode {
   std::string_view name;
   NoteKind kind;
@@ -124,7 +125,7 @@ inline constexpr NoteCode limits{"limits", NoteKind::warning,
 /// Returns all codes, in the order of their declarations.
 [[nodiscard]] std::span<const NoteCode* const> note_codes();
 
-/// Returns one note for each of `texts`. All notes have this code and this place.
+/// Returns one note for each of `texts`. Each note has the code `code` and the place `place`.
 [[nodiscard]] std::vector<Note> notes_of(const NoteCode& code, std::vector<std::string> texts,
                                          const Place& place = {});
 [[nodiscard]] std::vector<std::string> texts(const std::vector<Note>& notes);

@@ -19,7 +19,8 @@ struct NumberCard {
   /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
   /// the effect.
   double neutral = 0.0;
-  /// True for a temperature that a fit keeps within the range of the temperatures in the record.
+  /// True for a temperature that a fit searches only within the range of the temperatures in the
+  /// record.
   bool of_the_record = false;
 };
 
@@ -29,8 +30,8 @@ struct Interval {
   double lower = unset, upper = unset;
 };
 
-/// Value of a parameter and its standard uncertainty, known from a computation or another
-/// measurement.
+/// Value and standard uncertainty of a parameter, known from a calculation or another measurement
+/// before the fit.
 struct Prior {
   double value = unset, std = unset;
 
@@ -41,19 +42,20 @@ struct Prior {
 struct Parameter {
   std::string name;  ///< readable name: "f0", "my-effect.c"
   std::string unit;  ///< "1" if dimensionless
-  /// Addresses in the model file: "friction.f0", or "effect.2.c" for the third effect. A parameter
-  /// that represents several equal values has several addresses.
+  /// Addresses in the model file: "friction.f0", or "effect.2.c" for the third effect. If one
+  /// parameter sets several equal values in the file, it has several addresses.
   std::vector<std::string> addresses{};
   double start = unset;    ///< value in the model file; a fit starts from it
   double value = unset;    ///< fitted value; equal to `start` if the parameter was not fitted
-  double initial = unset;  ///< default value in the law
+  double initial = unset;  ///< default value of the parameter
   double lower = unset, upper = unset;                      ///< closed bounds
   double plausible_lower = unset, plausible_upper = unset;  ///< range seen in practice
   /// Value at which the effect has no influence; NaN for a parameter that only changes the shape of
   /// the effect.
   double neutral = unset;
-  /// True if the predicted readings are linear in this parameter while all others are fixed. The
-  /// readings are also linear in all such parameters together.
+  /// True if the predicted readings are a linear function of this parameter while all other
+  /// parameters are fixed. If several such parameters change, the readings are a linear function of
+  /// all of them.
   bool proportional = false;
   double scale = 1.0;  ///< typical size, > 0
   /// Standard error; NaN at a bound, or if the data do not determine the parameter.
@@ -63,14 +65,14 @@ struct Parameter {
   /// False if the data do not determine the parameter, or cannot separate it from another
   /// parameter.
   bool identifiable = true;
-  /// Known value before the fit; used only for models that merely approximate the readings: see
-  /// Subject::approximates().
+  /// Value and standard uncertainty known before the fit; used only for spindle models and
+  /// corrections (Subject::approximates()).
   Prior prior{};
   /// True if the fit does not change the parameter. The parameter stays at `start` if other
   /// parameters have the same influence, or at the value of `prior` if the record does not
-  /// determine it.
+  /// determine the parameter.
   bool held = false;
-  bool plausible = true;  ///< false if the value is too far outside the range seen in practice
+  bool plausible = true;  ///< false if `value` is far outside the range seen in practice
 };
 
 /// A value with the name of its parameter.
@@ -79,9 +81,9 @@ struct NamedValue {
   double value = unset;
 };
 
-/// Returns a typical size of a parameter: the larger of |`start`| and |`initial`|. If both are 0,
-/// the size is a hundredth of the range from `lower` to `upper`, or 1 without a finite range. A fit
-/// divides the parameter by this size.
+/// Returns a typical size of a parameter: the larger absolute value of `start` and `initial`. If
+/// both are 0, the size is 1 % of the range from `lower` to `upper`, or 1 if a bound is infinite. A
+/// fit divides the parameter by this size.
 [[nodiscard]] double typical_size(double start, double initial, double lower, double upper);
 
 }  // namespace raceway::record

@@ -14,18 +14,18 @@ namespace raceway::record {
 struct Column {
   const Channel* channel = nullptr;
   std::vector<double> values;  ///< value in each row [SI]; NaN if the row has no value
-  /// True if the column contains standard deviations from a regression over many more samples than
-  /// rows. They are then treated as exact.
+  /// True if the column contains standard deviations that are treated as exact. Each standard
+  /// deviation then comes from a regression over many samples.
   bool known = false;
 };
 
 /// One of the records from which joined() made a record.
 struct Part {
-  std::string name;    ///< name in messages: "monday" for data/monday.csv
+  std::string name;    ///< name of the record in messages, such as "monday" for data/monday.csv
   std::string source;  ///< file name, for messages
 };
 
-/// Time interval in which the setting of a row is valid, for time records. Settings are all inputs
+/// Time interval in which a setting in a row of a time record is valid. Settings are all inputs
 /// that are constant between rows, such as speeds, loads and coolant on or off.
 enum class SettingsHold {
   /// The setting in a row is valid from this row to the next row. The reading in this row was taken
@@ -37,20 +37,22 @@ enum class SettingsHold {
   until_row,  ///< the setting in a row is valid from the previous row to this row
 };
 
-/// Measured data: a column for each quantity, a row for each time or operating point. Rows are
-/// identified by their index; line numbers of the file are only for messages.
+/// Measured data, with a column for each quantity and a row for each time or operating point.
+/// Functions identify a row by its index. The line number in the file is only for messages.
 struct Record {
   std::string source{};           ///< file name, for messages
   std::vector<Column> columns{};  ///< columns of equal length
-  /// Names of the runs; the column of the channel `run` contains indices into this list.
+  /// Names of the runs. A run is an uninterrupted part of the record. The column of the channel
+  /// `run` contains indices into this list.
   std::vector<std::string> runs{};
   std::vector<int> lines{};   ///< line of each row in the file; empty if there is no file
   std::vector<Note> notes{};  ///< notes of the file reader for the user
-  /// True if the readings have an unknown common factor, as for a coast-down with unknown inertia.
+  /// True if the readings have an unknown common factor, such as the torques of a coast-down with
+  /// unknown inertia.
   bool up_to_a_factor = false;
   /// Time interval in which the settings of a row are valid; used only in time records.
   SettingsHold settings_hold = SettingsHold::sampled;
-  /// Original records, if joined() made this record; otherwise empty. The column of the channel
+  /// Original records if joined() made this record, otherwise empty. The column of the channel
   /// `part` contains indices into this list.
   std::vector<Part> parts{};
 
@@ -76,7 +78,8 @@ struct Record {
   /// number of values differs from the number of rows.
   Column& set(const Channel& channel, std::vector<double> values);
 
-  /// Returns true if the range of the values exceeds the step of the channel (step_of()).
+  /// Returns true if the values differ by more than step_of(), the largest difference of values
+  /// that are treated as equal.
   [[nodiscard]] bool varies(const Channel& channel) const;
   /// Returns the column with the standard deviations of a measured channel; null if the record has
   /// none.
@@ -90,21 +93,22 @@ struct Record {
   [[nodiscard]] Record without_rows() const;
 
   /// Returns the place of a row in words: "line 12" for a file, otherwise "row 3" (counted from 1).
-  /// For joined records, the name of the part follows: "line 12 of monday".
+  /// For joined records, the name of the original record follows: "line 12 of monday".
   [[nodiscard]] std::string place(std::size_t row) const;
   /// Returns the line number of a row in the file. If there is no file, returns the number of the
   /// row, counted from 1.
   [[nodiscard]] int line(std::size_t row) const;
 };
 
-/// Joins several records into one record. The result has the rows of all records, one record after
-/// the other. Runs of different records stay separate. The function sorts the records by `source`,
-/// so the order of the argument has no influence. The result has every column that occurs in any
-/// record; rows of a record without this column get NaN. Part::name is the file name without folder
-/// and extension. If two of these names are equal, both names include the folder. Column::known is
-/// true only if it is true in all records. The result keeps the notes of all records. Throws
-/// std::invalid_argument for fewer than two records, for two records of one source, for a record
-/// with `up_to_a_factor`, and for records with different `settings_hold`.
+/// Joins several records into one record. The result contains the rows of all records, one record
+/// after the other, sorted by `source`. Runs of different records stay separate. The result has
+/// every column that occurs in any record; a row has NaN if its record has no such column.
+/// Column::known is true only if it is true in all records. Part::name is the file name without
+/// folder and extension. If two of these names are equal, both names include the folder. The result
+/// contains the notes of all records.
+///
+/// Throws std::invalid_argument for fewer than two records, for two records with the same `source`,
+/// for a record whose `up_to_a_factor` is true, and for records with different `settings_hold`.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

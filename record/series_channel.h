@@ -13,18 +13,20 @@ enum class Course {
   held       ///< constant between two rows; used for all other inputs
 };
 
-/// Returns the channel of a column of a time record; null for an unknown name. A channel is created
-/// when it is first needed, because a machine may have any number of sensors. Known names:
-/// NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, coolant_on, setup_id, displacement_NAME_um
-/// and _urad, offset_NAME_um and _urad, NAME_position_mm, NAME_current_A, NAME_voltage_V, NAME_W,
-/// NAME_N, NAME_Nm, NAME_l_min, NAME_bar, NAME_percent, time_s, speed_rpm, run_id. Several threads
-/// may call this function at the same time.
+/// Returns the channel of a column of a time record; null for an unknown name. Several threads may
+/// call this function at the same time. NAME is any name of letters, digits, "_" and "-". Known
+/// names:
+///   time_s, run_id, setup_id, speed_rpm, coolant_on
+///   NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, NAME_position_mm
+///   displacement_NAME_um, displacement_NAME_urad, offset_NAME_um, offset_NAME_urad
+///   NAME_current_A, NAME_voltage_V, NAME_W, NAME_N, NAME_Nm
+///   NAME_l_min, NAME_bar, NAME_percent
 [[nodiscard]] const Channel* series_channel(std::string_view name);
 
 [[nodiscard]] Course course_of(const Channel& channel);
 [[nodiscard]] bool is_temperature(const Channel& channel);
 /// Returns true for speeds, feeds and the coolant. A correction uses the absolute value of these
-/// inputs; it uses all other inputs with their sign.
+/// inputs, and all other inputs with their sign.
 [[nodiscard]] bool acts_by_amount(const Channel& channel);
 [[nodiscard]] bool is_position(const Channel& channel);
 /// Channel::kind of the columns offset_NAME_um and offset_NAME_urad: the offset that a machine
@@ -33,8 +35,8 @@ enum class Course {
 inline constexpr std::string_view offset_kind = "offset";
 
 /// Returns the channel of a displacement transducer with the column name NAME_um; null for any
-/// other name. Only the table [transducers], which calculates a displacement from the readings of
-/// several transducers, can name such a column.
+/// other name. Only the table [transducers] of a model file can use such a column. This table
+/// calculates a displacement from the readings of several transducers.
 [[nodiscard]] const Channel* transducer_channel(std::string_view name);
 
 /// Returns true for a displacement channel that measures an angle.

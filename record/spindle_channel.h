@@ -28,8 +28,8 @@ inline constexpr Channel motor_power{.name = "motor_power_W",
                                      .ratio = true,
                                      .place = "W motor power"};
 
-/// Recorded moment at the spindle nose [N m]. A positive moment tilts the shaft like a positive
-/// radial load in front of the nose.
+/// Recorded moment at the spindle nose [N m]. A positive moment tilts the shaft in the same
+/// direction as a positive radial load in front of the nose.
 inline constexpr Channel nose_moment{.name = "moment_Nm",
                                      .variable = "moment",
                                      .words = "moment at the nose",
@@ -53,11 +53,15 @@ inline constexpr Channel belt_force{.name = "belt_force_N",
                                     .place = "N belt force"};
 
 /// Returns the channel of a column of a spindle record or a speed programme; null for an unknown
-/// name. Known names: time_s, run_id, speed_rpm, axial_load_N, radial_load_N, moment_Nm,
-/// belt_force_N, coolant_on, motor_heat_W, motor_power_W, ambient_temperature_C,
-/// machine_temperature_C, coolant_inlet_temperature_C. A model may predict axial_displacement_um
-/// (with its standard deviation std_um) and every other NAME_temperature_C, which is the
-/// temperature of a sensor. In series_channel(), all temperatures are inputs.
+/// name. Known names:
+///   time_s, run_id
+///   inputs: speed_rpm, axial_load_N, radial_load_N, moment_Nm, belt_force_N, coolant_on,
+///     motor_heat_W, motor_power_W, ambient_temperature_C, machine_temperature_C,
+///     coolant_inlet_temperature_C
+///   readings: axial_displacement_um, its standard deviation std_um, and every other
+///     NAME_temperature_C, which is the temperature of a sensor
+///
+/// In contrast, series_channel() treats all temperatures as inputs.
 [[nodiscard]] const Channel* spindle_channel(std::string_view name);
 
 /// Returns the channel for the measured temperature of the sensor with this name.

@@ -5,7 +5,7 @@
 
 namespace raceway {
 
-/// Value of a number that is not given or not known: NaN.
+/// NaN, the value of a number that is not given or not known.
 inline constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
 // Factors to SI: `12.7 * mm` is a length in m, and `length / mm` is the number of millimetres.

@@ -10,8 +10,9 @@
 /// Writes the report pages of `raceway modes` and `raceway deflection` as HTML.
 namespace raceway::report {
 
-/// Returns the HTML page with the modes over speed. `places` contains the bearing positions on the
-/// shaft [m]. `warm` is true if the bearings have their steady-state temperatures.
+/// Returns the HTML page with the vibration modes of the shaft over speed. `places` contains the
+/// bearing positions on the shaft [m]. `warm` is true if the bearings have their steady-state
+/// temperatures.
 [[nodiscard]] std::string modes_report(const ModelOfPage& model,
                                        const bearing::Arrangement& arrangement,
                                        const spindle::Beam& beam, const std::vector<double>& places,
@@ -19,8 +20,8 @@ namespace raceway::report {
                                        const model::Findings& findings = {});
 
 /// Returns the HTML page with the bending line of the shaft under a force. `tangent` is the bending
-/// line with the bearing stiffness before loading. `stiff` is the bending line with rigid bearings.
-/// Both vectors contain deflection and slope of all nodes [m, rad], or are empty.
+/// line with the bearing stiffness of the unloaded shaft. `stiff` is the bending line with rigid
+/// bearings. Both vectors contain deflection and slope of all nodes [m, rad], or are empty.
 [[nodiscard]] std::string deflection_report(
     const ModelOfPage& model, const bearing::Arrangement& arrangement, const spindle::Beam& beam,
     const std::vector<double>& places, bool warm, const results::DeflectionResult& result,

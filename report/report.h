@@ -21,22 +21,22 @@
 /// Writes results as one HTML page with pictures. The page works without internet access. The page
 /// contains the JSON document that `--json` prints, the values in the pictures, and the script that
 /// draws the pictures (report/page/). Equal results give identical files. If a record has several
-/// measured channels, the pages of this header draw only the first channel.
+/// measured channels, the pages from the functions of this header draw only the first channel.
 namespace raceway::report {
 
 /// Returns false in a program that was built with -DRACEWAY_REPORT=OFF. All functions that return a
 /// page then throw InputError.
 [[nodiscard]] bool report_available();
 
-/// Model whose friction law, factors, oil and defaults the page shows.
+/// Model whose friction law, parameters, oil and defaults the page shows.
 struct ModelOfPage {
   std::string file;
-  model::Model model;  ///< model as used in the calculation
+  model::Model model;  ///< model with the parameter values that the calculation used
   std::vector<files::UsedDefault> defaults;
 };
 
 /// Returns the page that compares models with a record. The page keeps the order of the models.
-/// `facts` describes the models of the page. It may be empty in all functions of this header.
+/// `facts` describes the models of the page. `facts` may be empty in all functions of this header.
 [[nodiscard]] std::string comparison_report(
     const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
@@ -53,8 +53,8 @@ struct ModelOfPage {
                                      const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
-/// Operating points of a bearing with the friction predictions for them. A page draws these points
-/// in addition to the curves of a table.
+/// Operating points of a bearing, each with the predicted friction. A page draws these points in
+/// addition to the curves of a friction table.
 using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
 /// Returns the page of a friction table. `measured` contains friction torques for comparison, or is
@@ -65,7 +65,7 @@ using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::Fric
                                        const std::vector<ModelOfPage>& facts = {},
                                        const std::vector<std::string>& warnings = {});
 
-/// Fitted law of the shaft displacement over speed, or the reason why there is no fit.
+/// Fitted law of the shaft displacement over speed.
 struct LawOfReport {
   std::optional<shaft::KinematicLawFit> fit;
   std::string statement;  ///< quality of the fit, or the reason why there is no fit

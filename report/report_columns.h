@@ -10,21 +10,23 @@ namespace raceway::report {
 /// have seven significant digits. A column with the same value in all rows has the member
 /// `constant` instead of `values`. Unknown numbers are null.
 ///
-/// If there are more than `most_rows` rows, or more than `most_numbers` numbers in columns that
-/// vary, rows are omitted. Evenly spaced rows and the rows of keep() remain.
+/// If the table has more than `most_rows` rows, or more than `most_numbers` numbers outside of
+/// constant columns, the output contains only a part of the rows: evenly spaced rows, and the rows
+/// selected by keep() or keep_extremes().
 class ReportColumns {
  public:
   explicit ReportColumns(std::size_t rows) : rows_(rows) {}
 
-  /// Adds a column with one value for each row, in the unit at the end of `name`. Throws
+  /// Adds a column with one value for each row. `name` ends with the unit of the values. Throws
   /// std::invalid_argument if the number of values differs from the number of rows.
   void add(std::string name, std::vector<double> values);
   /// Keeps this row even if other rows are omitted.
   void keep(std::size_t row) { wanted_.push_back(row); }
-  /// Keeps the rows with the highest and the lowest of `values` in each of 500 consecutive sections
-  /// with nearly equal numbers of rows.
+  /// Divides the rows into 500 consecutive sections of nearly equal length. In each section, keeps
+  /// the row with the highest and the row with the lowest of `values`.
   void keep_extremes(const std::vector<double>& values);
-  /// Adds a column for a curve over time, and keeps its extremes by keep_extremes().
+  /// Adds a column for a curve over time. Keeps the rows with extreme values of the curve by
+  /// keep_extremes().
   void add_course(std::string name, std::vector<double> values) {
     keep_extremes(values);
     add(std::move(name), std::move(values));

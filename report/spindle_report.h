@@ -12,15 +12,15 @@
 /// speed, and the cross-section of the spindle with the temperature of each cell.
 namespace raceway::report {
 
-/// Temperatures of all cells at one time, or in the steady state at one speed.
+/// Temperatures of all cells of the mesh at one time, or in the steady state at one speed.
 struct DrawnField {
   double time = unset;   ///< [s]; NaN for a steady state
   double speed = unset;  ///< [rad/s]
   std::vector<spindle::FieldCell> cells;
 };
 
-/// Returns the page of a run. `programme` names the speed programme, and `rows_asked` is its number
-/// of rows. `mesh_text` is a sentence on the discretisation error.
+/// Returns the page of a run. `programme` names the speed programme, and `rows_asked` is the number
+/// of rows of the speed programme. `mesh_text` is a sentence on the discretisation error.
 [[nodiscard]] std::string spindle_run_report(
     const ModelOfPage& model, const std::string& programme, std::size_t rows_asked,
     const spindle::Run& run, const spindle::DrawnRun& drawn, std::span<const DrawnField> fields,

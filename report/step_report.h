@@ -10,9 +10,9 @@
 namespace raceway::report {
 
 /// Returns the HTML page of `raceway step-response`. `source` names the model or the file of the
-/// step responses. `facts` is empty if the step responses were imported without a model. `error` is
-/// the difference between the correction from these step responses and the simulation of
-/// `programme`; null means that the comparison was not requested.
+/// step responses. `facts` describes the model; empty if the step responses were imported without a
+/// model. `error` describes how far the correction from these step responses deviates from the
+/// simulation of `programme`; it is null if this comparison was not requested.
 [[nodiscard]] std::string step_report(const std::string& source,
                                       const spindle::StepResponses& responses,
                                       const spindle::PowerLaws& laws,

@@ -5,13 +5,13 @@
 
 namespace raceway::results {
 
-/// Half widths of the 95 % bands of results (model::Band), which come from the uncertainty of
-/// fitted parameters.
+/// Half widths of the 95 % bands around results. The bands contain only the uncertainty of fitted
+/// parameters (model::Band).
 struct BandOfResult {
   std::vector<std::string> parameters;  ///< names of the fitted parameters
   std::vector<std::string> names;  ///< column names with unit, such as "friction_torque_band_Nmm"
-  /// For each row, one value for each of `names`, in SI units. Documents contain the value in the
-  /// unit of the name.
+  /// Half widths in SI units, row by row. Each row has one value for each column in `names`. CSV
+  /// and JSON contain these values in the units of the column names.
   std::vector<double> half_widths;
 };
 

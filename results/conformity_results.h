@@ -4,7 +4,7 @@
 
 #include "shaft/conformity.h"
 
-/// Writes the fitted groove conformity of a catalogue bearing as a JSON document; see results.h.
+/// Returns a JSON document with the fitted groove conformity of a catalogue bearing.
 namespace raceway::results {
 
 [[nodiscard]] std::string conformity_json(const std::string& bearing,

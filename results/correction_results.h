@@ -15,9 +15,10 @@ namespace raceway::results {
 
 /// Errors of a correction model on a record that its fit did not use.
 struct Validation {
-  std::string data{};             ///< file of the record
-  correction::Metrics metrics{};  ///< errors after subtraction of the mean error of each run
-  double uncorrected = unset;     ///< RMS of the readings minus their mean in each run [m]
+  std::string data{};  ///< file of the record
+  /// Error statistics, after the mean error of each run is subtracted.
+  correction::Metrics metrics{};
+  double uncorrected = unset;  ///< RMS of the readings minus their mean in each run [m]
   std::size_t rows_beyond_range = 0;
 };
 
@@ -34,8 +35,7 @@ struct Validation {
     const std::string& model_file, const record::Record& record,
     const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
-/// Returns RMS, mean absolute and largest error and the other values of correction::Metrics for a
-/// comparison.
+/// Returns the error statistics of a comparison of predictions with readings.
 [[nodiscard]] correction::Metrics metrics_of(const verdict::Comparison& comparison);
 
 /// Displacement that a correction predicts for a record, with errors and uncertainty.
@@ -44,22 +44,23 @@ struct Corrected {
   correction::InitialState initial_state = correction::InitialState::rest;
   std::vector<double> predicted{};  ///< [m]
   std::vector<correction::Contribution> parts{};
-  /// Errors after subtraction of the mean error of each run; no value without readings.
+  /// Statistics of the errors, after the mean error of each run is subtracted. All statistics are
+  /// NaN if the record has no readings.
   correction::Metrics metrics{};
   correction::Beyond beyond{};
   std::vector<double> band{};  ///< half width of the 95 % band in each row [m]; empty if unknown
   double noise = unset;        ///< noise of a single reading [m]
-  /// Share of the readings inside the band, after subtraction of the mean error of each run [1].
-  /// For this comparison, the band is widened by the noise of the readings.
+  /// Share of the readings whose error is inside the band [1]. The mean error of each run is
+  /// subtracted first. The band that is used for this share also contains the noise of a reading.
   double readings_in_band = unset;
   correction::Trust trust{};
 };
 
-/// Returns CSV with the columns time_s, predicted_um, band_low_um and band_high_um (if the band is
-/// known), the contribution of each channel, and residual_um (reading minus prediction; empty
-/// without reading). For several displacements, names end with the column of the displacement
-/// instead of the unit: predicted_COLUMN, CHANNEL_COLUMN. For an angle, the unit is urad instead of
-/// um.
+/// Returns CSV with the columns time_s, predicted_um, the contribution of each channel, and
+/// residual_um (reading minus prediction). If the band is known, the columns band_low_um and
+/// band_high_um are added. In a row without a reading, residual_um is empty. For several
+/// displacements, each name ends with the column name of the displacement instead of the unit, such
+/// as predicted_COLUMN. Angles have the unit urad instead of um.
 [[nodiscard]] std::string corrected_text(const record::Record& record,
                                          const std::vector<Corrected>& corrected);
 [[nodiscard]] std::string corrected_json(const std::string& model_file,

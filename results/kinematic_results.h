@@ -5,7 +5,8 @@
 
 #include "shaft/fit_kinematic_law.h"
 
-/// Writes the fit of the law of kinematic displacement as a JSON document (docs/files.md).
+/// Writes the fitted law of the kinematic displacement, a displacement that follows the speed
+/// without delay, as a JSON document (docs/files.md).
 namespace raceway::results {
 
 /// Displacement that the fitted law gives at one speed.

@@ -15,10 +15,12 @@ struct Learnt {
 };
 
 /// Returns CSV with the columns time_s, predicted_um, std_um, residual_um and reading. The
-/// prediction in a row uses only earlier readings. residual_um (reading minus prediction) is empty
-/// in rows without a reading. The column `reading` contains "learnt" or "refused" in rows whose
-/// reading was offered for learning, otherwise it is empty. For several displacements, names end
-/// with the column of the displacement instead of the unit: predicted_COLUMN.
+/// prediction in a row uses only earlier readings. std_um is the expected standard deviation of
+/// residual_um. residual_um (reading minus prediction) is empty in rows without a reading. The
+/// column `reading` contains "learnt" if the correction used the reading of the row, and "refused"
+/// if the correction rejected the reading as too far from the prediction. In all other rows,
+/// `reading` is empty. For several displacements, each name ends with the column name of the
+/// displacement instead of the unit, such as predicted_COLUMN.
 [[nodiscard]] std::string learnt_text(const record::Record& record,
                                       const std::vector<Learnt>& learnt);
 /// Returns the document of `raceway correct --learn --json`.

@@ -24,7 +24,7 @@
 #include "verdict/calibrate.h"
 #include "verdict/compare.h"
 
-/// Writes results as JSON documents with two blanks of indentation and units in the keys
+/// Writes results as JSON documents with an indentation of two spaces and with units in the keys
 /// (docs/files.md). Unknown values, and values at operating points without equilibrium, are null.
 /// Numbers have 15 significant digits.
 ///
@@ -34,7 +34,7 @@ namespace raceway::results {
 
 /// Returns the document of `raceway solve --json` for a ball bearing. `band` contains half widths
 /// of 95 % bands for this point; null means no bands. `findings` contains the limits that the
-/// result exceeds; every document lists them in the member `judgement`.
+/// result exceeds; the document lists them in the member `judgement`.
 [[nodiscard]] std::string solve_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const bearing::BearingEquilibrium& equilibrium,
@@ -43,9 +43,9 @@ namespace raceway::results {
                                      const BandOfResult* band = nullptr,
                                      const model::Findings& findings = {});
 
-/// Returns the document of a friction table, with one row for each operating point. If `table` has
-/// columns for the 95 % band, `band` names the fitted parameters whose uncertainty causes the band;
-/// null means no band.
+/// Returns the document of a friction table, with one row for each operating point. If the table
+/// has a 95 % band, `band` names the fitted parameters whose uncertainty gives this band; otherwise
+/// it is null.
 [[nodiscard]] std::string table_json(const model::Model& model,
                                      const friction::StribeckTable& table,
                                      const BandOfResult* band = nullptr,
@@ -55,18 +55,18 @@ namespace raceway::results {
 [[nodiscard]] std::string calibration_json(const verdict::Calibration& calibration,
                                            const record::Record& record);
 
-/// Returns the document that compares models with a record. It contains the errors of each model
-/// for each measured channel. For several models, the document is `{"models": [...]}` in the order
-/// of `model_files`. For corrections, the document also lists the parts of the record outside the
-/// range of the fit.
+/// Returns the document that compares models with a record. The document contains the errors of
+/// each model for each measured channel. For several models, the document is `{"models": [...]}` in
+/// the order of `model_files`. For corrections, the document also lists the parts of the record
+/// outside the range of the fit.
 [[nodiscard]] std::string comparison_json(
     const std::vector<std::string>& model_files,
     const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<correction::Beyond>& beyond = {});
 
 /// Returns the document of `raceway check` for a model and a record. `defaults` lists default
-/// values of the model, and `notes` contains remarks on the record. `over_time` is the check of a
-/// record over time; null for other records.
+/// values of the model, and `notes` contains remarks on the record. `over_time` is the result of
+/// LoopModel::over_time() for the record of a correction; null for other models.
 [[nodiscard]] std::string check_json(const std::string& model_name, const loop::Check& check,
                                      const std::vector<files::UsedDefault>& defaults,
                                      const std::vector<record::Note>& notes,
@@ -83,8 +83,9 @@ namespace raceway::results {
 
 [[nodiscard]] std::string bearings_json(const std::vector<files::CatalogueBearing>& rows);
 
-/// effect_json() returns the description of one effect, and effects_json() returns `{"effects":
-/// [...]}` for a list of effects.
+/// effect_json() returns the description of one effect. effects_json() returns `{"effects": [...]}`
+/// with the descriptions of all given effects. `of_records` contains further effects to describe:
+/// effects on a displacement over time.
 [[nodiscard]] std::string effect_json(const effects::Description& effect);
 [[nodiscard]] std::string effects_json(std::span<const effects::Description> effects,
                                        std::span<const correction::EffectCard> of_records);

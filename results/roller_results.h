@@ -10,8 +10,8 @@
 
 namespace raceway::results {
 
-/// Returns the document of `raceway solve --json` for a cylindrical roller bearing. Values are null
-/// if the operating point has no equilibrium.
+/// Returns the document of `raceway solve --json` for a cylindrical roller bearing. If the
+/// operating point has no equilibrium, its results are null.
 [[nodiscard]] std::string roller_solve_json(const model::Model& model,
                                             const bearing::OperatingPoint& point,
                                             const model::FrictionPrediction& friction,

@@ -10,16 +10,17 @@
 #include "results/band_of_result.h"
 #include "shaft/shaft_prediction.h"
 
-/// Writes results for a shaft on its bearing sets as CSV and JSON. The names contain the units
-/// (docs/files.md). Without equilibrium, values are empty in CSV and null in JSON.
+/// Writes results for a shaft on its bearing sets as CSV and JSON. The names of columns and keys
+/// contain the units (docs/files.md). If there is no equilibrium, values are empty in CSV and null
+/// in JSON.
 namespace raceway::results {
 
 /// Returns the name of a bearing in column names, such as `front_1`. In each set, the bearings are
-/// numbered from the tool.
+/// numbered from the tool side.
 [[nodiscard]] std::string bearing_place(const bearing::Arrangement& arrangement, std::size_t i);
 
-/// Column of displacement_text(): the name with its unit, and a function that returns the value in
-/// this unit, or NaN without equilibrium.
+/// Column of displacement_text(). `name` ends with the unit. `value` returns the value in this
+/// unit, or NaN without an equilibrium.
 struct DisplacementColumn {
   std::string name;
   std::function<double(const shaft::ShaftPrediction&)> value;
@@ -30,11 +31,11 @@ struct DisplacementColumn {
 [[nodiscard]] std::vector<DisplacementColumn> displacement_columns(
     const bearing::Arrangement& arrangement);
 
-/// Returns the shaft position over speed as CSV: `#` lines with title, version and model text, then
-/// the columns speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
-/// friction_torque_Nmm, power_loss_W, axial_position_um, the columns of every bearing, the half
-/// widths in `band` and the status. Values have 12 significant digits. `band` has one row for each
-/// point; null means no bands.
+/// Returns the shaft position over speed as CSV. Comment lines give title, version and model text.
+/// The columns are speed_rpm, axial_displacement_um, front_force_N, rear_force_N,
+/// axial_stiffness_N_um, friction_torque_Nmm, power_loss_W, axial_position_um, the columns of every
+/// bearing, the half widths of the 95 % error bands from `band`, and status. Values have 12
+/// significant digits. `band` has one row for each point; null means no bands.
 [[nodiscard]] std::string displacement_text(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,
@@ -42,8 +43,8 @@ struct DisplacementColumn {
                                             const BandOfResult* band = nullptr);
 
 /// Returns the shaft position over speed as JSON. The member `rows` has one entry for each point.
-/// The member `arrangement` contains preload, preload displacements and lift-off loads at
-/// standstill.
+/// The member `arrangement` contains values at standstill: preload, preload displacements, and the
+/// external axial loads at which the front set or the rear set becomes unloaded.
 [[nodiscard]] std::string displacement_json(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,

@@ -15,8 +15,9 @@
 /// the units.
 namespace raceway::results {
 
-/// Difference between two steady states: result with the chosen mesh minus result with another
-/// mesh. The members `displacement`, `inner_ring_rise` and `front_force` are these differences.
+/// Mesh check: the steady state is computed with the chosen mesh and with another mesh. The members
+/// `displacement`, `inner_ring_rise` and `front_force` are the result with the chosen mesh minus
+/// the result with the other mesh.
 struct MeshEstimate {
   std::size_t cells = 0, other_cells = 0;
   double speed = unset;  ///< speed of both steady states [rad/s]
@@ -26,12 +27,12 @@ struct MeshEstimate {
   [[nodiscard]] bool known() const { return other_cells > 0; }
 };
 
-/// Assumed value of a model (a default, or a value that the file marks as assumed), and the
-/// influence of its possible error on the nose displacement.
+/// Assumed value of a model, and the influence of its possible error on the nose displacement. An
+/// assumed value is a default, or a value that the model file marks as assumed.
 struct Assumption {
-  std::string name;       ///< such as "bearing.lubricant_conductance_W_K"
-  double value = unset;   ///< in the unit of the name
-  double spread = unset;  ///< possible error in both directions, in the unit of the name
+  std::string name;       ///< table, key and unit, such as "bearing.lubricant_conductance_W_K"
+  double value = unset;   ///< value in the model, in the unit at the end of `name`
+  double spread = unset;  ///< possible error in both directions, in the unit at the end of `name`
   /// Nose displacement at value - spread and at value + spread [m]; NaN if there is no result.
   double low = unset, high = unset;
 };
@@ -45,29 +46,31 @@ struct Assumptions {
   [[nodiscard]] bool known() const { return !most.empty(); }
 };
 
-/// Results of a steady state, or the reason why there is none.
+/// Results of a steady state. Without a solution, `report` gives the reason.
 struct SteadyState {
   spindle::Inputs inputs;
   spindle::Moment moment;
   spindle::Report report;
   double axial_stiffness = unset;  ///< axial stiffness of the warm bearing sets [N/m]
-  /// Equilibrium of each bearing, front set first; empty without equilibrium.
+  /// Equilibrium of each bearing, front set first; empty without an equilibrium.
   std::vector<bearing::BearingInSet> bearings = {};
   /// Flow in each coolant circuit, in the order of model::Spindle::channels(). An entry is empty if
   /// the coolant does not flow.
   std::vector<std::optional<spindle::ChannelFlow>> channels = {};
-  /// Ring seats in the order of Moment::bearings; empty for a thermal network.
+  /// Seats of the bearing rings, in the order of Moment::bearings; empty for a thermal network.
   std::vector<spindle::SeatsOfBearing> seats = {};
-  std::vector<spindle::SurfaceState> surfaces = {};  ///< joints and surfaces except ring seats
-  std::vector<spindle::ShaftPlace> shaft = {};       ///< axial displacements, from nose to rear end
-  std::vector<spindle::SectionStress> stress = {};   ///< stress of shaft and rings
+  /// Heat transfer at joints and surfaces, without ring seats.
+  std::vector<spindle::SurfaceState> surfaces = {};
+  /// Axial displacements of the shaft, from nose to rear end.
+  std::vector<spindle::ShaftPlace> shaft = {};
+  std::vector<spindle::SectionStress> stress = {};  ///< stress of shaft and rings
 };
 
 /// Returns the section with the largest von Mises stress; null if `sections` is empty.
 [[nodiscard]] const spindle::SectionStress* largest_stress(
     std::span<const spindle::SectionStress> sections);
 
-/// Name of a column of run.csv and its value at one time, in the unit of the name.
+/// Name of a column of run.csv and its value at one time, in the unit at the end of `name`.
 struct RunColumn {
   std::string name;
   double value;
@@ -78,8 +81,9 @@ struct RunColumn {
                                                  const spindle::Inputs& inputs,
                                                  const spindle::Moment& moment);
 
-/// Returns the text of `run.csv`. The text has one row for each completed row of the speed
-/// programme, and one more row if the run ended early. `model_text` is the text of the model file.
+/// Returns the text of `run.csv`, with one row for each completed row of the speed programme. If
+/// the simulation stopped early, the last row contains the results at the time of the stop.
+/// `model_text` is the text of the model file.
 [[nodiscard]] std::string spindle_run_text(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, std::string_view model_text);
@@ -108,8 +112,8 @@ struct RunColumn {
 [[nodiscard]] std::string spindle_state_json(const model::Model& model,
                                              const spindle::State& state);
 /// Reads a state from a file that contains the text of spindle_state_json(). Throws InputError if
-/// the file is not JSON, is not such a state, has another format number, or has a value that is
-/// missing or outside its range.
+/// the file is not JSON, is not such a state, has an unsupported format number, or has a value that
+/// is missing or outside its range.
 [[nodiscard]] spindle::State read_spindle_state(const std::string& path);
 /// Reads a state from `text`, as written by spindle_state_json(). Error messages name `source` as
 /// the file.

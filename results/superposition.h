@@ -11,8 +11,8 @@
 
 namespace raceway::results {
 
-/// Difference between a correction from step responses and the simulation model that gave the step
-/// responses.
+/// Comparison of a correction with the simulation of the spindle. The correction was made from step
+/// responses of the simulated spindle.
 struct Superposition {
   std::size_t rows = 0;
   double rms = unset;                      ///< RMS of correction minus simulation [m]
@@ -24,20 +24,21 @@ struct Superposition {
   std::vector<double> time = {}, speed = {}, simulated = {}, corrected = {};
 };
 
-/// Applies correction and simulation to `programme`, a record with time, speed and optional axial
+/// Computes correction and simulation for `programme`, a record with time, speed and optional axial
 /// and radial loads. A load without a column is zero. `inputs` contains all other inputs of the
-/// simulation. Correction and simulation both start at rest at ambient temperature. If the
-/// simulation does not converge, only `report` is valid. Throws std::invalid_argument if the model
-/// is not a spindle, or if the record lacks time or speed. Throws fit::Cancelled if `cancelled` is
-/// set during the calculation.
+/// simulation. Correction and simulation start at rest, at ambient temperature. If the simulation
+/// does not converge, only `report` of the result is valid. Throws std::invalid_argument if the
+/// model is not a spindle, or if the record lacks time or speed. Throws fit::Cancelled if
+/// `cancelled` is set during the calculation.
 [[nodiscard]] Superposition superposition(const model::Model& model,
                                           const correction::Model& correction,
                                           const record::Record& programme,
                                           const spindle::Inputs& inputs = {},
                                           const std::atomic<bool>* cancelled = nullptr);
 
-/// Returns a four-hour programme of half-hour intervals, at fractions of the speed `fastest`
-/// [rad/s] and at standstill. The fit of a correction to single steps does not use such a sequence.
+/// Returns a record with a speed programme of four hours, to test a correction that was made from
+/// step responses. The speed changes every half hour. All speeds are between 0 and `fastest`
+/// [rad/s].
 [[nodiscard]] record::Record trial_programme(double fastest);
 
 /// Returns text such as "RMS 0.42 um, largest 1.9 um (after 3.20 h); the displacement varies by

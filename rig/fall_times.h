@@ -22,12 +22,13 @@ struct Fall {
 ///
 ///   1/M(ω_e) = ∫ dω/M / (ω1 - ω2)   gives   ω_e^-p = (ω1^(1-p) - ω2^(1-p)) / ((1 - p)(ω1 - ω2))
 ///
-/// ω_e is a Stolarsky mean: the logarithmic mean for p = 1, and sqrt(ω1 ω2) for p = 2.
+/// ω_e is a Stolarsky mean of ω1 and ω2. For p = 1, ω_e is the logarithmic mean. For p = 2, ω_e is
+/// sqrt(ω1 ω2).
 /// Source:   derived.
 /// Domain:   ω1 > ω2 > 0, any p. For p = 0 and p = 1, the result is the limit of the formula.
-/// Accuracy: rounding. With the mean ω of ω1 and ω2 instead of ω_e, the relative error of the
-///           torque would be p (p + 1) s²/24 with s = (ω1 - ω2)/ω, for example 0.25 % for p = 2
-///           and s = 0.1.
+/// Accuracy: the result has only rounding errors. With the mean ω of ω1 and ω2 instead of ω_e, the
+///           relative error of the torque would be p (p + 1) s²/24 with s = (ω1 - ω2)/ω. For p = 2
+///           and s = 0.1, this is 0.25 %.
 [[nodiscard]] double speed_of_mean_torque(double from, double to, double exponent);
 
 /// Computes the friction torque of the rig from the times between given speeds [N m], one row for
@@ -35,20 +36,22 @@ struct Fall {
 ///
 ///   M = J (ω1 - ω2)/t   at   ω_e = speed_of_mean_torque(ω1, ω2, p) (1 + (p'/p) s²/24)
 ///
-/// The exponent p and its change p' = dp/d ln ω come from a parabola of ln M over ln ω through the
-/// row and its neighbours. A neighbour is the nearest fall at lower or at higher speed in the same
-/// run, with the same other inputs. The middle speed of a neighbour lies outside the speed range of
-/// the row. The fastest or slowest fall uses the next two falls. p and p'/p are limited to -4 to 4.
-/// With only one neighbour, p' is 0. Without neighbours, p' is 0 and p is 2/3, as for the viscous
-/// moment of the Palmgren law. With p and p' of a parabola, ω_e is correct to second order in s for
-/// every smooth law. s = (ω1 - ω2)/ω is the relative width of the fall, with the mean ω of ω1 and
-/// ω2.
+/// s = (ω1 - ω2)/ω is the relative width of the fall, with the mean ω of ω1 and ω2. The exponent p
+/// and its change p' = dp/d ln ω come from a parabola of ln M over ln ω. The parabola passes
+/// through the row and two neighbours: the nearest fall at lower speed and the nearest fall at
+/// higher speed. A neighbour belongs to the same run as the row and has the same inputs except the
+/// speed. The mean speed of a neighbour lies outside the speed range of the row. The fastest and
+/// the slowest fall of a run have neighbours on one side only; for these falls, the two nearest
+/// ones are used. p and p'/p are limited to the range from -4 to 4. If there is only one neighbour,
+/// p' is 0. If there is none, p' is 0 and p is 2/3, as for the viscous moment of the Palmgren law.
+/// ω_e is correct to second order in s for every smooth law.
 ///
-/// `falls` has one entry for each row of `record`, which contains the other inputs and the runs.
-/// ω_e replaces the speed of the record. If every fall has a standard deviation of the time, the
-/// torques have σ_M = M σ_t/t. Throws std::invalid_argument if the inertia is missing or not
-/// positive, if `falls` and `record` differ in length, and for an invalid fall (the message names
-/// its line).
+/// `falls` has one entry for each row of `record`. `record` contains the runs and all inputs except
+/// the speed. The result is `record` with the speed ω_e and the torque M. If every fall has a
+/// standard deviation σ_t of its time t, the torque M has the standard deviation M σ_t/t. Throws
+/// std::invalid_argument if the inertia is missing or not positive, if `falls` and `record` differ
+/// in length, and for a fall that does not satisfy from > to > 0 and time > 0. The message gives
+/// the line of this fall.
 [[nodiscard]] record::Record fall_torque(const record::Record& record, std::span<const Fall> falls,
                                          const model::Rig& rig);
 

@@ -16,25 +16,26 @@ namespace raceway::session {
 
 /// Returns the 95 % band of a model's predictions, from the uncertainty of the fitted parameters.
 /// `asked_by` is the flag or argument that requests the band. `remedy` names the commands that
-/// write a model with a covariance. Both texts appear in the error message. Throws text::InputError
-/// if the model file contains no covariance of its parameters.
+/// write a model with a covariance. Throws text::InputError if the model file contains no
+/// covariance of its parameters; `asked_by` and `remedy` are parts of the message.
 [[nodiscard]] model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                                   std::string_view remedy);
 
-/// Returns one sentence that describes a band.
+/// Returns one sentence that names the fitted parameters whose uncertainty gives the band.
 [[nodiscard]] std::string band_statement(const model::Band& band);
 
-/// Returns the names of the columns that a band adds after all columns of table_columns().
+/// Returns the names of the columns that a table with a band has after the columns of
+/// table_columns().
 [[nodiscard]] std::vector<std::string> band_columns(const model::Model& model);
 
-/// Computes the band columns of the given points and writes them into `out` [SI]. Several threads
-/// may call this function at the same time.
+/// Computes the columns of band_columns() at the given operating points, and writes them into `out`
+/// [SI]. Several threads may call this function at the same time.
 void fill_band(const model::Model& model, const model::Band& band,
                std::span<const bearing::OperatingPoint> points,
                std::span<friction::TablePoint> out);
 
-/// Returns the half widths of the band for one bearing at one point: friction torque, power loss,
-/// and heat of both rings.
+/// Returns the half widths of the band for one bearing at one operating point: friction torque,
+/// power loss, and heat of both rings.
 [[nodiscard]] results::BandOfResult point_band(const model::Band& band,
                                                const bearing::OperatingPoint& point);
 

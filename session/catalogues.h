@@ -13,12 +13,15 @@ namespace raceway::session {
 
 struct FoundEffects {
   std::vector<effects::Description> effects{};
-  std::vector<correction::EffectCard> of_records{};  ///< correction effects that match the request
-  /// False: the request is the id of one effect; its forms for rig, shaft and spindle are listed.
+  /// Matching effects that a correction can contain.
+  std::vector<correction::EffectCard> of_records{};
+  /// False if the user asked for the id of one effect. `effects` then contains the forms of this
+  /// effect for rig, shaft and spindle.
   bool is_list = true;
-  std::string own_datum{};  ///< message if the requested id is a value of the model, not an effect
+  /// Message if the id denotes an uncertain value of the model (model::own_data()), not an effect.
+  std::string own_datum{};
 
-  /// Throws text::InputError with `own_datum` if the id is a value of the model, not an effect.
+  /// Throws text::InputError with the message `own_datum` if this message is not empty.
   [[nodiscard]] std::string json() const;
 };
 
@@ -26,9 +29,10 @@ struct FoundEffects {
 /// effects. Throws text::InputError if no effect matches.
 [[nodiscard]] FoundEffects find_effects(const std::string& asked);
 
-/// Finds the bearings whose name contains `name`. If no name matches, finds the bearings of the
-/// size that the designation `name` gives, and sends a note. If `bore` or `outer_diameter` [m] is
-/// NaN, every value is accepted. Throws text::InputError if no bearing matches.
+/// Finds the bearings whose name contains `name`. If no name matches and `name` is a designation,
+/// finds the bearings with the size of this designation, such as 7014, and sends a note. If `bore`
+/// or `outer_diameter` [m] is NaN, every value is accepted. Throws text::InputError if no bearing
+/// matches.
 [[nodiscard]] std::vector<files::CatalogueBearing> find_bearings(Messages& messages,
                                                                  const std::string& name,
                                                                  double bore,

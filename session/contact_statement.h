@@ -10,12 +10,14 @@
 namespace raceway::session {
 
 /// Returns one line that describes film and friction, such as "full film (smallest lambda 15.7);
-/// largest part: rolling resistance of the oil, 98 %".
+/// largest part of the friction torque: rolling resistance of the oil, 98 %". Lambda is the film
+/// ratio.
 [[nodiscard]] std::string judgement(const friction::contact::ContactResult& result);
 
 /// Compares the torque of the contact law with the torque of the same bearing with steel balls at
-/// the same point, and names the contact loads and elastic moduli that cause the difference. The
-/// text is empty for steel balls, for other laws, for shafts, and at points without equilibrium.
+/// the same operating point, and names the contact loads and elastic moduli that cause the
+/// difference. The text is empty for steel balls, for other friction laws, for shafts, and at
+/// operating points without equilibrium.
 [[nodiscard]] std::string balls_statement(const model::Model& model,
                                           const bearing::OperatingPoint& point);
 

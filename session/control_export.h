@@ -10,11 +10,14 @@
 
 namespace raceway::session {
 
-/// Corrections exported as a program that runs without raceway, or as a table for such a program.
+/// Corrections that were exported as a program, which runs without raceway, or as a table of
+/// coefficients.
 struct ControlExport {
-  control::ControlPlan plan{};  ///< corrections to export, with notes
+  control::ControlPlan plan{};  ///< exported corrections, and notes for the user
   std::string text{};
-  /// For linuxcnc: HAL lines that load the component and connect the axes, and lines that stop it.
+  /// Texts of two HAL files (hardware abstraction layer of LinuxCNC) for the format linuxcnc; empty
+  /// for other formats. `hal` loads the component and connects the axes, and `hal_shutdown` stops
+  /// the component.
   std::string hal{}, hal_shutdown{};
 };
 
@@ -29,17 +32,18 @@ struct HalFiles {
 [[nodiscard]] HalFiles hal_files(const std::string& output);
 
 /// Opens a model file for the export to a machine control, and adds a check record: rows of inputs
-/// with the displacements that `correct` predicts. The inputs come from `record`, or are synthetic
-/// if `record` is null. `model` may also be an exported table, which contains its check record.
+/// with the displacements that `raceway correct` predicts. The inputs come from `record`. If
+/// `record` is null, the function generates the inputs. Instead of a model file, `model` may be an
+/// exported table of coefficients, which already contains a check record.
 ///
-/// Throws text::InputError for a file that cannot be read, and for a table that is given together
-/// with a record.
+/// Throws text::InputError for a file that cannot be read, and if both an exported table and a
+/// record are given.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
                                              const Source* record = nullptr);
 
-/// Throws text::InputError if the trust in the correction of a displacement is `do_not_use`, or if
-/// no correction of the plan has a channel, an effect or a kinematic law. The message gives the
-/// reason and the flag that allows the export (--accept-untrusted).
+/// Throws text::InputError if the trust in a correction is `do_not_use`, or if no correction of the
+/// plan has a channel, an effect or a kinematic law. The message gives the reason. The message also
+/// names the flag --accept-untrusted, which allows the export.
 void require_trust(const control::ControlPlan& plan);
 
 /// Exports a plan. `format` is python, c, csv or linuxcnc. `output` is the file name; empty or "-"

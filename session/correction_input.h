@@ -15,26 +15,29 @@
 
 namespace raceway::session {
 
-/// Reads a file of corrections and sends notes to `messages`. With Defaults::count, one note gives
-/// the number of default values used. Throws text::InputError for a file that cannot be read.
+/// Reads a file of corrections and sends notes to `messages`. If `defaults` is Defaults::count, one
+/// of the notes gives the number of default values that the corrections use. Throws
+/// text::InputError for a file that cannot be read.
 [[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
                                                      Defaults defaults = Defaults::count);
 
 /// Joins several corrections of one displacement to one file with the name `path`. The joined file
-/// predicts the sum of the predictions of its parts: see files::join_corrections(). Notes name the
-/// tables of the parts that the joined file does not contain.
+/// predicts the sum of all these corrections: see files::join_corrections(). If several of the
+/// files contain a table such as [columns], the joined file contains the table of the first of
+/// these files. A note names each table that is not used.
 [[nodiscard]] files::CorrectionFile join(Messages& messages, const std::vector<Source>& parts,
                                          const std::string& path);
 
 /// Reads a time record for all `models` and sends notes to `messages`. Only readings within
-/// `period` are used. Isolated readings, which jump and return, are removed. If the readings arrive
-/// `one_by_one`, isolated readings are kept, because the program cannot know the next reading.
+/// `period` are used. Isolated readings are removed. An isolated reading is far from the readings
+/// before and after it. If `one_by_one` is true, the readings are used one after the other, as in
+/// learning. Isolated readings are then kept, because the next reading is not known.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
                                          const files::ReadOptions& options,
                                          const Period& period = {}, bool one_by_one = false);
 
-/// All corrections of a file together with one record.
+/// All corrections of a file, and one record.
 struct SeriesQuestion {
   files::CorrectionFile file{};
   record::Record data{};
@@ -45,11 +48,12 @@ struct SeriesQuestion {
                                         const Reading& reading,
                                         Defaults defaults = Defaults::count);
 
-/// Throws text::InputError if the record has no column of the displacement.
+/// Throws text::InputError if the record has no column with the displacement that the model
+/// predicts.
 void require_readings(const correction::Model& model, const record::Record& record);
 
 /// Checks a record before a model is fitted to it. Warns of sensors whose readings are stuck, jump
-/// or never vary. The warnings are also in the notes of the record and in the JSON results. Throws
+/// or do not vary. The warnings are also in the notes of the record and in the JSON results. Throws
 /// text::InputError if an input, such as the heating power, has a value at which the time constant
 /// of a lag is not positive.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,

@@ -18,11 +18,13 @@ namespace raceway::session {
 
 /// Command-line options of `raceway identify` in addition to model and record.
 struct IdentifyChoices {
-  std::string order = "1:3";  ///< number of lags of each channel: "2", or a range, "1:3"
-  /// columns that may become inputs of the correction; "all" means every input that varies. An
-  /// empty list means "all" if `lags` is not empty, otherwise only the inputs of the model
+  /// Number of lags of each channel, such as "2", or a range of numbers, such as "1:3".
+  std::string order = "1:3";
+  /// Names of columns that may become inputs of the correction. "all" means every input that
+  /// varies. An empty list also means "all" if `lags` is not empty. If both lists are empty, the
+  /// correction keeps the inputs of its model file.
   std::vector<std::string> inputs{};
-  /// time constants of the lags [s], the same for all channels. With "auto", the program chooses
+  /// Time constants of the lags [s], the same for all channels. With "auto", the program chooses
   /// the time constants. If the list is empty, the time constants are fitted.
   std::vector<std::string> lags{};
   /// Type of model that is fitted for comparison: "regression", "arx" or empty.
@@ -35,33 +37,33 @@ struct IdentifyChoices {
   void check() const;
 };
 
-/// Corrections identified from one record, one for each displacement of the file.
+/// Corrections identified from one record, one for each displacement of the model file.
 struct Identified {
   SeriesQuestion asked{};
   std::string baseline{};  ///< type of model that was fitted for comparison: "regression" or empty
   std::vector<correction::Identification> found{};
-  /// Errors on the record that validate() reads and that no fit has used, and warnings about this
-  /// record. Both lists are empty before validate() is called.
+  /// Errors of the models on a record that no fit has used (validate()), and warnings about this
+  /// record. Both lists are empty until validate() is called.
   std::vector<results::Validation> validations{};
   std::vector<record::Note> validation_warnings{};
 
-  /// Validates the models on another record. The errors on `other` then determine the trust in the
-  /// models: see correction/trust.h.
+  /// Validates the models on another record. The errors on this record then determine the trust in
+  /// the models (correction/trust.h).
   void validate(Messages& messages, const Source& other, const Reading& reading);
   [[nodiscard]] std::string json() const;
-  /// Returns the model file with the identified parameters. If a baseline was requested, the file
-  /// contains the models of the baseline.
+  /// Returns the model file with the identified parameters. If `baseline` is "regression", the file
+  /// contains the regression models instead of the identified models.
   [[nodiscard]] std::string text() const;
 };
 
-/// Identifies the structure and the parameters of all models. Warnings about sensors are also in
-/// the notes of the record. Throws text::InputError for an unknown input, missing readings, or a
-/// record that does not allow identification. Throws fit::Cancelled if IdentifyChoices::cancelled
-/// returns true.
+/// Identifies the structure and the parameters of the correction of each displacement. Warnings
+/// about sensors are also added to the notes of the record. Throws text::InputError for an unknown
+/// input, missing readings, or a record that does not allow identification. Throws fit::Cancelled
+/// if IdentifyChoices::cancelled returns true.
 [[nodiscard]] Identified identify(Messages& messages, SeriesQuestion asked,
                                   const IdentifyChoices& choices);
 
-/// ARX models of each requested order, for each displacement of the file.
+/// ARX (autoregressive) models of each requested order, for each displacement of the model file.
 struct ArxModels {
   SeriesQuestion asked{};
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found{};

@@ -7,9 +7,9 @@
 
 namespace raceway::session {
 
-/// Removes isolated readings, which jump and return (fit/isolated_readings.h), from these channels
-/// of a time record. Messages and the notes of the record give the line numbers of the removed
-/// readings.
+/// Removes isolated readings of the channels `channels` from a record over time. An isolated
+/// reading is far from the readings before and after it (fit/isolated_readings.h). Messages and the
+/// notes of the record give the line numbers of the removed readings.
 void leave_out_isolated(Messages& messages, record::Record& data,
                         const std::vector<const record::Channel*>& channels);
 

@@ -18,21 +18,20 @@
 /// range of a bearing.
 namespace raceway::session {
 
-/// Compares the mounted model with the limits: the contact pressure from the preload, and the
-/// interferences in [seat]. The reader of models rejects a preload that steel cannot carry before
-/// this function is called.
+/// Compares a shaft or spindle as mounted, at standstill, with the limits. The function checks the
+/// contact pressure from the preload, and the interferences in [seat].
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
-/// Checks the seats of a spindle. Returns a note if the preload is given as an offset or a class
-/// and [seat] has an interference: without the effect interference-fit, this interference does not
-/// change the preload. Returns a warning if [seat] and the effect interference-fit have different
-/// interferences.
+/// Checks the interference of the inner rings of a spindle. Returns a note if the interference in
+/// [seat] does not change the preload, because the preload is given as an offset or a class and the
+/// model lacks the effect `interference-fit`. Returns a warning if [seat] and this effect give
+/// different interferences.
 [[nodiscard]] std::vector<record::Note> fit_notes(const model::Model& model);
 
-/// Returns only the findings with `is_warning`, as warnings.
+/// Returns the findings whose `is_warning` is true, as warnings. Ignores all other findings.
 [[nodiscard]] std::vector<record::Note> warnings_said(const model::Findings& findings);
 
-/// Returns all findings: findings with `is_warning` as warnings, all others as notes.
+/// Returns the findings whose `is_warning` is true as warnings, and all other findings as notes.
 [[nodiscard]] std::vector<record::Note> said_of(const model::Findings& findings);
 
 /// Compares the results for the bearing sets of a shaft with the limits.
@@ -40,19 +39,18 @@ namespace raceway::session {
                                     std::span<const shaft::ShaftPoint> points,
                                     std::span<const shaft::ShaftPrediction> predictions);
 
-/// Compares the results of a Stribeck table or of solve_states(), row by row, with the limits. The
-/// constructor finds the columns by their names. For roller bearings, only speed and lubricant
-/// temperature are compared.
+/// Compares the results of a Stribeck table or of solve_states(), row by row, with the limits. For
+/// roller bearings, only speed and lubricant temperature are compared.
 class JudgedColumns {
  public:
-  /// The model must live longer than this object.
+  /// `names` contains the column names of the results. The model must live longer than this object.
   JudgedColumns(const model::Model& model, const std::vector<std::string>& names);
   void look(const bearing::OperatingPoint& point, std::span<const double> row,
             model::Judge& judge) const;
 
  private:
   struct OfBearing {
-    std::string place;  ///< position of the bearing on the shaft, as in messages
+    std::string place;
     std::size_t lost = 0, inner = 0, outer = 0, load = 0, least = 0, largest = 0;
   };
   const model::Model* model_;
@@ -68,8 +66,8 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const results::SteadyState> states);
 
-/// Compares a spindle over a speed programme with the limits. The results of the programme contain
-/// no ball contacts, so each bearing is solved again under its largest force.
+/// Compares a spindle over a speed programme with the limits. The contact pressure of each bearing
+/// is calculated at the time of the largest force on this bearing.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);
@@ -79,27 +77,28 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 
-/// Returns a note for a result that does not store the states of the bearings. The note says that
-/// states outside the range of the torque table are not counted. A model without a torque table
-/// gives no note.
+/// Returns a note which says that the program uses the value at the edge of the friction table for
+/// all operating points outside the table. Commands that do not count such points print this note.
+/// The result is empty if the model has no friction table.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Compares speeds [rad/s] with the limits of the bearings.
 [[nodiscard]] model::Findings judge_speeds(const model::Model& model,
                                            std::span<const double> speeds);
 
-/// Compares the speeds and lubricant temperatures in the rows of a record with the limits.
+/// Compares the speeds and lubricant temperatures in the rows of a record with the limits. For a
+/// bearing on a rig, also counts the rows outside the range of the friction table.
 [[nodiscard]] model::Findings judge(const model::Model& model, const record::Record& record);
 
-/// Throws text::InputError for a speed at which the ring bursts, or for a temperature at which the
-/// lubricant is solid. The message gives `name`, the value with its unit, the possible range and
-/// the reason. NaN is allowed.
+/// Throws text::InputError for a speed at which an inner ring bursts, or for a temperature at which
+/// the lubricant is solid. The message gives `name`, the value with its unit, the possible range
+/// and the reason. NaN is allowed.
 void require_possible_speed(const model::Model& model, double speed, const std::string& name);
 void require_possible_temperature(const model::Model& model, double temperature,
                                   const std::string& name);
-/// Checks the speeds and temperatures in all rows of a record and reports errors with file and
-/// line. For a water circuit, a recorded inlet temperature at which water freezes or boils is also
-/// an error.
+/// Throws text::InputError, with file and line, if a row of a record has an impossible speed or
+/// temperature: see require_possible_speed(). For a water circuit, a recorded inlet temperature at
+/// which water freezes or boils is also impossible.
 void require_possible(const model::Model& model, const record::Record& record);
 
 }  // namespace raceway::session

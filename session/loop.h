@@ -14,16 +14,16 @@
 #include "verdict/calibrate.h"
 #include "verdict/diagnose.h"
 
-/// Compares a model with measurements, finds the missing effect, and states how much this effect
-/// improves the model, for the command raceway and for Python and C++ programs. The functions
-/// accept every kind of model file.
+/// Compares a model with measurements, finds missing effects, and calculates how much they improve
+/// the model. The command-line program and the Python and C++ interfaces use these functions. The
+/// functions accept every kind of model file.
 namespace raceway::session {
 
-/// A model with the measurements that a fit or a diagnosis compares with it.
+/// Model, and measurements for a fit or a diagnosis of this model.
 struct LoopQuestion {
   std::shared_ptr<const LoopModel> model;
   record::Record data{};
-  std::shared_ptr<const fit::Subject> subject{};  ///< model with its record, prepared for the fit
+  std::shared_ptr<const fit::Subject> subject{};  ///< model prepared for a fit to the record
 
   [[nodiscard]] const std::string& source() const { return model->about().source; }
 };
@@ -34,9 +34,9 @@ struct LoopQuestion {
                                const std::vector<Source>& data, const LoopOptions& options);
 
 /// These functions calibrate the model, diagnose its misfit, add effects to it, and predict the
-/// readings of the record. `effects` contains the names that the user typed. The functions throw
-/// the exceptions of the functions in loop/loop.h, and text::InputError if the data are not
-/// suitable.
+/// readings of the record. In add(), `effects` contains the names of the effects to add, as the
+/// user entered them. The functions throw the same exceptions as the functions in loop/loop.h, and
+/// text::InputError if the data are not suitable.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});
 [[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,
@@ -51,7 +51,7 @@ struct LoopQuestion {
 [[nodiscard]] std::string page(const LoopQuestion& asked, const verdict::Diagnosis& found);
 [[nodiscard]] std::string page(const LoopQuestion& asked, const verdict::AddResult& found);
 
-/// Returns the model files of a fit.
+/// Returns the texts of the model files with the fitted values.
 [[nodiscard]] FittedTexts fitted_texts(const LoopQuestion& asked,
                                        const verdict::Calibration& found);
 
@@ -65,14 +65,14 @@ struct ComparedModels {
   /// errors()[model][channel].
   [[nodiscard]] std::vector<std::vector<verdict::Comparison>> errors() const;
   [[nodiscard]] std::string json() const;
-  /// Returns the report as one HTML page.
+  /// Returns the comparison as one HTML page.
   [[nodiscard]] std::string page() const;
 };
 
-/// Compares each of several models with the same measured rows. The data are read with the column
-/// map and the sensor calibration ([torque_sensor]) of the first model. The parameters in
-/// `how.refit`, and the parameters that are separate for each record, are fitted first. Throws
-/// text::InputError, for example if one model is a bearing and another is a correction.
+/// Compares several models with the same measured rows. The data are read with the column map and
+/// the sensor calibration ([torque_sensor]) of the first model. Before the comparison, the
+/// parameters in CompareOptions::refit and LoopOptions::per_record are fitted to these rows. Throws
+/// text::InputError if the models cannot be compared, for example a bearing and a correction.
 [[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);
@@ -82,12 +82,13 @@ struct ComparedModels {
 [[nodiscard]] std::string suggested_columns(Messages& messages, const Source& model,
                                             const Source& data, LoopOptions options);
 
-/// Results of `raceway check`: description of a model and its record, with notes.
+/// Results of `raceway check`: descriptions of a model and of a record, and notes.
 struct CheckedModel {
   LoopModel::About model{};
   record::Record data{};
   loop::Check check{};
-  /// Limits of the record for a correction: see LoopModel::over_time(). Empty for other models.
+  /// Properties of the record that limit the quality of a correction (LoopModel::over_time());
+  /// empty if the model is not a correction.
   std::optional<correction::RecordCheck> over_time{};
   std::vector<record::Note> notes{};  ///< notes on the model and the record
 

@@ -38,9 +38,10 @@ enum class Part { any, bearing, correction };
 struct LoopOptions {
   Reading reading{};
   Names per_record{};  ///< parameters that are fitted separately for each record
-  bool rows = false;   ///< true keeps each row of a logger; false averages the rows of a dwell
+  bool rows = false;   ///< true keeps each row of the record; false averages the rows of a dwell
   Tolerance tolerance{};
-  /// Measured channel that selects one model from a file with several models.
+  /// Column name of a measured channel. If the model file contains several models, this name
+  /// selects the model of this channel.
   std::string channel{};
   Part part = Part::any;
   Defaults defaults = Defaults::count;
@@ -50,52 +51,55 @@ struct LoopOptions {
   std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
-/// Options for comparing models with a record.
+/// Options for the comparison of models with a record.
 struct CompareOptions {
-  Names refit{};  ///< parameters that are fitted to the record first
-  /// For corrections: error that is subtracted from the predictions of each run. "mean": the mean
-  /// error; "first": the error of the first reading; "none": nothing.
+  Names refit{};  ///< parameters that are fitted to the record before the comparison
+  /// For corrections: constant error that is subtracted from the predictions of each run. "mean"
+  /// subtracts the mean error of the run, "first" the error at the first reading of the run, and
+  /// "none" subtracts nothing.
   std::string zero = "mean";
 };
 
 /// Model files of a fit: one file, or one for each record if parameters are fitted separately for
 /// each record.
 struct FittedTexts {
-  Names records{};  ///< names of the records; empty if one model covers all of them
+  Names records{};  ///< names of the records; empty if one model covers all records
   std::vector<std::string> texts{};
   /// Fitted parameters of effects that correct a value of the model file, such as a viscosity of
-  /// the oil. The file contains the corrected value in place of the effect. If the list is not
-  /// empty, the file has no covariance.
+  /// the oil. The new model file contains the corrected value instead of the effect. If the list is
+  /// not empty, the new model file does not contain the covariance of the fit.
   Names corrected_data{};
   /// An effect that a Python or C++ program has defined and that a model file cannot express.
-  /// `values` are its parameters after the fit.
+  /// `values` contains the fitted parameter values of the effect.
   struct OwnEffect {
     std::string id;
     std::vector<double> values;
   };
-  std::vector<std::vector<OwnEffect>> own_effects{};  ///< effects that each text lacks
+  /// Effects that the model files cannot contain: one list for each text in `texts`.
+  std::vector<std::vector<OwnEffect>> own_effects{};
 };
 
 /// A model compared with a record.
 struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
   std::vector<verdict::Comparison> errors{};  ///< errors of each measured channel
-  /// for a correction: rows with inputs outside the training data
+  /// For a correction: rows with inputs outside the training data; empty for other models.
   std::optional<correction::Beyond> beyond{};
   report::DrawnModel drawn{};
-  /// facts about the model for the report page; empty for a correction
+  /// Description of the model for the report page; empty for a correction.
   std::optional<report::ModelOfPage> facts{};
 };
 
-/// A model file opened for the comparison with measurements: a bearing on its rig, sets on a shaft,
-/// a spindle, or the correction of one displacement.
+/// A model file opened for the comparison with measurements: a bearing on its rig, bearing sets on
+/// a shaft, a spindle, or the correction of one displacement.
 class LoopModel {
  public:
   /// Description of the model file.
   struct About {
     std::string source;  ///< file name, for messages
     std::string name;
-    std::vector<files::UsedDefault> defaults{};  ///< defaults and assumed values that were used
+    /// Defaults and assumed values that the model uses.
+    std::vector<files::UsedDefault> defaults{};
     std::vector<record::Note> notes{};
     std::vector<files::NamedFile> files{};  ///< files that the model file names
   };
@@ -104,7 +108,8 @@ class LoopModel {
   virtual ~LoopModel() = default;
 
   [[nodiscard]] const About& about() const { return about_; }
-  /// Returns the model of the file without any fit, as a fit::Subject for this record.
+  /// Returns the model with the parameter values of the file, without a fit, as a fit::Subject for
+  /// this record.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written(
       const record::Record& data) const = 0;
 
@@ -119,33 +124,34 @@ class LoopModel {
   /// if `per_record` is not valid.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> for_fit(
       Messages& messages, record::Record& data, const Names& per_record) const = 0;
-  /// Returns the ids of the effects whose names the user typed. Throws std::invalid_argument if a
-  /// name is ambiguous.
+  /// Returns the ids of effects. `effects` contains names as the user entered them. Throws
+  /// std::invalid_argument if a name is ambiguous.
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
-  /// Sends notes about differences from `first`, the first model of a comparison, such as another
-  /// [rig]. Throws text::InputError if the two models cannot be compared.
+  /// Sends notes about differences between this model and `first`, the first model of a comparison,
+  /// such as a different [rig]. Throws text::InputError if the two models cannot be compared.
   virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
-  /// Compares the model with a record, after a fit of the parameters named in `how` and
-  /// `per_record`. Throws std::invalid_argument if the record does not allow the comparison.
+  /// Fits the parameters in CompareOptions::refit and `per_record` to a record, and then compares
+  /// the model with this record. Throws std::invalid_argument if the record does not allow the
+  /// comparison.
   [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
                                                const CompareOptions& how,
                                                const Names& per_record) const = 0;
   /// Returns the properties of a time record that limit the quality of this correction: sampling,
-  /// noise, resolution and the range of time constants that the record can determine, with
-  /// warnings. The result is empty for models that are not corrections.
+  /// noise, resolution and the range of time constants that the record can determine. The result is
+  /// empty for models that are not corrections.
   [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
       const record::Record& data) const = 0;
 
   /// Returns a table [columns] (TOML) that assigns the columns of a data file to channels.
   [[nodiscard]] virtual std::string suggested_columns(const Source& data) const = 0;
 
-  /// Returns the report as one HTML page.
+  /// Returns a report on the diagnosis or the added effects as one HTML page.
   [[nodiscard]] virtual std::string page(const record::Record& data,
                                          const verdict::Diagnosis& found) const = 0;
   [[nodiscard]] virtual std::string page(const record::Record& data,
                                          const verdict::AddResult& found) const = 0;
-  /// Returns the text of the model file with the fitted values.
+  /// Returns the texts of the model files with the fitted values.
   [[nodiscard]] virtual FittedTexts fitted_texts(const record::Record& data,
                                                  const verdict::Calibration& found) const = 0;
 
@@ -153,13 +159,13 @@ class LoopModel {
   About about_;
 };
 
-/// Returns the description of a file with all its models. Throws text::InputError for a file that
-/// cannot be read.
+/// Returns the description of a model file. If the file contains several models, the description
+/// covers all of them. Throws text::InputError for a file that cannot be read.
 [[nodiscard]] LoopModel::About describe(Messages& messages, const Source& file,
                                         const LoopOptions& options);
 
-/// Returns the names of the records with separate parameters; empty if one model covers all
-/// records.
+/// Returns the names of the records if parameters are fitted separately for each record. The result
+/// is empty if one model covers all records.
 [[nodiscard]] Names records_apart(const fit::Subject& subject);
 
 /// Fits the free parameters of `subject` to a record before a comparison. `names` are the names of
@@ -168,16 +174,18 @@ class LoopModel {
 [[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
                                             const record::Record& data, const Names& names);
 
-/// Opens the model that the options select from a file, and sends notes to `messages`. `place` is
-/// the index of the model in a comparison of several models. Throws text::InputError for a file
-/// that cannot be read, for an invalid tolerance, and if the file has several models and the
-/// options select none.
+/// Opens the model in `file` that the options select, and sends notes to `messages`. `place` is the
+/// index of the model in a comparison of several models. Throws text::InputError for a file that
+/// cannot be read, for an invalid tolerance, and if the file has several models and the options
+/// select none.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,
                                                          std::size_t place = 0);
 
-/// Opens the first correction of a file, for a request that does not depend on the selected
-/// correction, such as suggested_columns().
+/// Opens a model as open_loop_model() does. If the file contains several corrections and no
+/// bearing, and `options.channel` is empty, the function opens the first correction. Use this
+/// function only for results that are the same for all corrections of the file, such as the result
+/// of suggested_columns().
 [[nodiscard]] std::unique_ptr<LoopModel> open_any_correction(Messages& messages, const Source& file,
                                                              LoopOptions options);
 

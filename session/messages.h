@@ -7,13 +7,13 @@
 
 namespace raceway::session {
 
-/// Receives the notes and warnings of a calculation. The command prints notes and warnings on
-/// stderr. Python stores notes in the result and issues warnings.
+/// Receives the notes and warnings of a calculation. The command-line program prints these messages
+/// on stderr. The Python package stores notes in the result and issues warnings.
 class Messages {
  public:
   virtual ~Messages() = default;
   virtual void hear(const record::Note& note) = 0;
-  /// Receives the name of each file that is read because a model file names it.
+  /// Receives the name of a file that the program reads because a model file names it.
   virtual void reads(const std::string&) {}
 
   void say(const record::Note& note) { hear(note); }

@@ -12,27 +12,29 @@ namespace raceway::session {
 /// Description of the bearing for a new model file.
 struct NewModel {
   std::string bearing{};  ///< designation in the catalogue
-  files::BearingOutline
-      /// outline of a bearing outside the catalogue; its material of balls or rollers is also used
-      /// for a catalogue bearing
-      outline{};
-  double contact_angle = unset;  ///< contact angle of a bearing outside the catalogue [deg]
-  /// Friction law: "palmgren", "skf" or "contact". An empty text means contact for balls on a rig
-  /// and palmgren otherwise.
+  /// Dimensions, number of balls and material of balls or rollers. For a bearing in the catalogue
+  /// and for a roller bearing, only the material may be given.
+  files::BearingOutline outline{};
+  double contact_angle = unset;  ///< contact angle of a bearing that is not in the catalogue [deg]
+  /// Friction law: "palmgren", "skf" or "contact". An empty text means contact for a ball bearing
+  /// on a rig, and palmgren otherwise.
   std::string law{};
-  bool spindle = false;  ///< true: three of these bearings in a spindle; false: one on a rig
+  /// True: three of these bearings in a spindle; false: one bearing on a rig.
+  bool spindle = false;
   /// ISO VG grade such as "VG 32" (files/oil_grade.h); empty: a thin spindle oil.
   std::string oil{};
 };
 
-/// Returns a commented model file with the default values of its law. Throws text::InputError if
-/// the bearing is not in the catalogue and `outline` does not describe it, and if a member does not
-/// suit the bearing, such as a spindle with roller bearings.
+/// Returns a model file with comments and with the default values of the friction law. Throws
+/// text::InputError if the bearing is not in the catalogue and NewModel::outline does not describe
+/// the bearing. Also throws text::InputError if the bearing does not allow an option, for example a
+/// spindle with roller bearings, or dimensions for a bearing in the catalogue.
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
-/// Returns a commented correction model for the displacements of a time record, with a channel for
-/// each temperature (files/new_correction.h). Implausible readings in the record give warnings.
-/// Throws text::InputError for a record that cannot be read or that has no displacement.
+/// Returns a correction model with comments for the displacements of a time record. The model has a
+/// channel for each temperature: see files/new_correction.h. Implausible readings in the record
+/// give warnings. Throws text::InputError for a record that cannot be read or that has no
+/// displacement.
 [[nodiscard]] std::string new_correction_text(Messages& messages, const Source& data,
                                               const Reading& reading);
 

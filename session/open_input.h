@@ -20,7 +20,7 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 /// `keep` adds no note; use it if the command lists the default values or opens the model again.
 enum class Defaults { count, keep };
 
-/// Sends notes on a file as messages. Each text begins with the name of the file.
+/// Sends notes about a file to `messages`. Each note begins with `source`, the name of the file.
 void say_of(Messages& messages, const std::string& source, std::vector<record::Note> notes);
 
 /// Reads a model and sends notes to `messages`. With Defaults::count, one note gives the number of
@@ -33,7 +33,7 @@ void say_of(Messages& messages, const std::string& source, std::vector<record::N
 void require_shaft(const files::ModelFile& file);
 
 /// Returns the description of a model for a report page. The name and the default values come from
-/// `file`. `used` is the model as used in the calculation.
+/// `file`. `used` is the model of the calculation, for example after a fit.
 [[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
 /// Warns if the file gives keys of the bearing or the solver that do not change the friction
@@ -53,13 +53,13 @@ void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
                                           const model::ModelSubject& subject,
                                           const files::ReadOptions& options);
 
-/// Throws text::InputError with the message of `error`. The names of the record and of the model
-/// precede the message.
+/// Throws text::InputError for a record that is not suitable for a model. The message contains the
+/// names of model and record, and the message of `error`.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 
-/// Adds a note if all torques of the record have one unknown common factor, as in a coast-down of a
-/// rotor with unknown inertia.
+/// Adds a note if the torques of the record are known only up to a common factor, as in a
+/// coast-down of a rotor with unknown inertia.
 void tell_of_scale(const record::Record& data, std::vector<record::Note>& messages);
 
 }  // namespace raceway::session

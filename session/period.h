@@ -7,8 +7,10 @@
 
 namespace raceway::session {
 
-/// Period of a time record whose readings a fit uses. `from` and `until` are times since the first
-/// row: `--from 20h`, `--until 24h`. The model still uses the inputs of rows outside the period.
+/// Period of a time record. A fit uses only the readings in this period. The inputs of all rows are
+/// used, because rows before the period influence the displacement in the period. `from` and
+/// `until` are times since the first row, written as text such as "20h". An empty text means no
+/// limit.
 struct Period {
   std::string from, until;
 

@@ -11,15 +11,16 @@ namespace raceway::session {
 
 /// Options of a command that reads measurements, such as `--columns map.toml` and `--drop-nan`.
 struct Reading {
-  std::string columns{};              ///< file with a column map; empty: the map of the model
-  std::string columns_text{};         ///< text of the column map, used instead of its file
-  bool drop_nan = false;              ///< true: rows with an empty cell are omitted
+  std::string columns{};       ///< file with a column map; empty: the column map of the model
+  std::string columns_text{};  ///< column map as text; replaces the file `columns`
+  bool drop_nan = false;       ///< true: rows with an empty cell are left out
   std::vector<std::string> beside{};  ///< further files with columns of the same time record
   Period period{};                    ///< period of readings; only for time records
-  bool one_by_one = false;  ///< true: readings arrive one by one and later ones are unknown
+  bool one_by_one = false;  ///< true: readings arrive one by one; later readings are unknown
 
-  /// Returns the data files, joined with the files of --beside. Throws text::InputError if --beside
-  /// is given together with several data files.
+  /// Returns the data files to read. With --beside, `data` must contain a single file; the files of
+  /// --beside are read as further columns of this file. Throws text::InputError if --beside is
+  /// given together with several data files.
   [[nodiscard]] std::vector<Source> sources(std::vector<Source> data) const;
   /// Returns the options for reading measurements. The column map comes from the flag `--columns`
   /// or, without the flag, from [columns] of the model. The overload for a ModelFile throws

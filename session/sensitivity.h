@@ -12,38 +12,38 @@
 #include "session/wording.h"
 #include "spindle/spindle.h"
 
-/// Computes the sensitivity of predictions to the input values of a model. A datum is one such
-/// value.
+/// Computes the sensitivity of predictions to the input values of a model. A datum is one input
+/// value of the model, such as the preload.
 namespace raceway::session {
 
 struct SensitivityQuestion {
-  /// Predictions as words ("torque") or column names. An empty list means the torque of a bearing,
-  /// or the displacement of a shaft or spindle.
+  /// Predictions, each as a short name such as "torque" or as the name of a result column. An empty
+  /// list means the torque of a bearing, or the displacement of a shaft or spindle.
   std::vector<std::string> predictions{};
-  /// Operating points: all combinations of these values. Speeds are required. For an empty list of
-  /// loads or temperatures, the value of the model is used.
+  /// The operating points are all combinations of these values. Speeds are required. If a list of
+  /// loads or temperatures is empty, the value of the model is used.
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< true: steady state of the whole spindle at each speed
   bool coolant_on = true;
-  /// Loads, ambient temperature and coolant of a steady state. The speed in `inputs` is not used.
-  /// If `inputs` is empty, the model gives these values.
+  /// Loads, ambient temperature and coolant of a steady state; empty: the values of the model. The
+  /// speed in these inputs is not used, because `speeds_rpm` contains the speeds.
   std::optional<spindle::Inputs> inputs{};
   std::vector<files::SpreadText> spreads{};
-  /// Names of the data to vary. The name of a table in the model file means all its data. An empty
-  /// list means all data.
+  /// Names of the data to vary. The name of a table in the model file means all data of this table.
+  /// An empty list means all data.
   std::vector<std::string> data{};
   std::size_t samples = 0;  ///< number of samples for the Sobol' indices; 0: no indices
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;
-  /// Function that changes the model after it was read, for example to add an effect defined in
-  /// Python; may be empty.
+  /// Function that is called with the model after it was read, for example to add an effect that is
+  /// defined in Python; may be empty.
   std::function<void(files::ModelFile&)> amend{};
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(double)> progress{};  ///< receives the finished share of the work, 0 to 1
 };
 
-/// Returns the predictions that a user can request from a model: pairs of the word for the request
-/// and the name of the result column.
+/// Returns the short names of the predictions of a model, each with the name of its result column,
+/// for example "torque" and "friction_torque_Nmm".
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> sensitivity_words(
     const model::Model& model, bool steady);
 
@@ -57,23 +57,24 @@ struct SensitivityQuestion {
 /// because a steady state is found by iteration. For an integer datum such as the number of balls,
 /// the derivative is D(1), or the one-sided difference with step 1.
 ///
-/// The spreads come from `question`. If a spread is not given, the spread of a fitted parameter is
-/// sqrt(3) times its standard error: the half width of a uniform distribution whose standard
-/// deviation is the standard error. For data that were not fitted, the spread is then 1 % of the
-/// value, 1 K for a temperature and 1 for an integer. The samples for the Sobol' indices are
-/// uniform between value - spread and value + spread and independent of each other.
+/// The samples for the Sobol' indices are independent and uniformly distributed between value -
+/// spread and value + spread. The spread of a datum is the value in SensitivityQuestion::spreads.
+/// If no spread is given, the spread of a fitted parameter is sqrt(3) times its standard error. The
+/// uniform distribution then has this standard error as its standard deviation. If no spread is
+/// given, the spread of any other datum is 1 % of its value, 1 K for a temperature, and 1 for an
+/// integer.
 ///
-/// Points are solved on all cores. The results do not depend on the number of cores or on the order
-/// of the points. Throws text::InputError for an unknown prediction or datum or a value outside its
-/// range. Throws fit::Cancelled if `cancelled` is set during the calculation.
+/// The calculation uses all cores. The results do not depend on the number of cores or on the order
+/// of the points. Throws text::InputError for an unknown prediction, an unknown datum, or a value
+/// outside its range. Throws fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] results::Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
                                                const SensitivityQuestion& question);
 
-/// Returns the text of one operating point: "speed_rpm 6000, axial_load_N 300".
+/// Returns one operating point as text, such as "speed_rpm 6000, axial_load_N 300".
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
-/// Returns one warning for each prediction without a value, and one warning if samples have no
-/// prediction.
+/// Returns a warning for each prediction that has no value for the data of the model. One more
+/// warning is returned if some of the random samples for the Sobol' indices have no prediction.
 [[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

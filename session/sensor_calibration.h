@@ -16,13 +16,13 @@ struct CalibratedSensor {
   rig::SensorCalibration calibration{};
 
   [[nodiscard]] std::string json() const;
-  /// Returns the table [torque_sensor] for a model or for a separate file.
+  /// Returns the table [torque_sensor] for a model file or a separate file.
   [[nodiscard]] std::string text() const;
 };
 
-/// Fits a polynomial to the readings of a torque sensor. If no degree is given, uses the lowest
-/// degree that fits the readings. Throws text::InputError for a file that cannot be read and for
-/// readings that do not determine the curve.
+/// Fits a polynomial to the readings of a torque sensor. If `degree` is empty, the function uses
+/// the lowest degree that fits the readings. Throws text::InputError for a file that cannot be
+/// read, and for readings that do not determine the polynomial.
 [[nodiscard]] CalibratedSensor calibrate_sensor(Messages& messages, const Source& readings,
                                                 const Reading& reading, std::optional<int> degree);
 

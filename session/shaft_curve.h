@@ -21,16 +21,16 @@ namespace raceway::session {
 struct CurveQuestion {
   std::vector<double> speed_rpm{};
   double axial_load_N = unset, temperature_C = unset;
-  std::optional<model::Band> band{};  ///< if given, adds the half widths of the band
+  /// Uncertainty band; if given, the results contain its half widths.
+  std::optional<model::Band> band{};
   Wording wording = Wording::arguments;
 };
 
-/// Axial position of a shaft at several speeds. The model file must live longer than the object,
-/// which refers to it.
+/// Axial position of a shaft at several speeds. The model file must live longer than this object.
 class ShaftCurve {
  public:
-  /// Throws text::InputError under the conditions of operating_point(), for a model without a
-  /// shaft, and for more than a million speeds.
+  /// Throws the same exceptions as operating_point(), and text::InputError for a model without a
+  /// shaft and for more than a million speeds.
   ShaftCurve(Messages& messages, const files::ModelFile& file, const CurveQuestion& question);
 
   [[nodiscard]] const std::vector<shaft::ShaftPoint>& points() const { return points_; }
@@ -45,14 +45,15 @@ class ShaftCurve {
   [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
   /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
-  /// Returns a warning or a note for each exceeded limit, with the worst speed. Further warnings
-  /// name unloaded bearings and speeds without a result.
+  /// Returns a warning or a note for each exceeded limit, with the speed at which the limit is
+  /// exceeded most. Other warnings name unloaded bearings, and speeds without a result.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;
-  /// Returns the rows as CSV.
+  /// Returns the results as CSV, with one row for each speed.
   [[nodiscard]] std::string csv() const;
-  /// Returns the report as one HTML page, with the fitted kinematic law.
+  /// Returns the results as one HTML page, with a kinematic law that is fitted to the shaft
+  /// position.
   [[nodiscard]] std::string page() const;
 
  private:

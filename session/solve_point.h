@@ -15,7 +15,7 @@
 
 namespace raceway::session {
 
-/// Results at one operating point, for one bearing or for the sets of a shaft.
+/// Results at one operating point, for one bearing or for the bearing sets on a shaft.
 struct PointAnswer {
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   /// Friction results of one bearing. If the point has not converged, all results are NaN.
@@ -26,9 +26,12 @@ struct PointAnswer {
   friction::HeatSplit heat{};  ///< friction heat of the inner and of the outer ring [W]
   /// Results of a shaft. `friction`, `equilibrium` and `heat` are not used for a shaft.
   std::optional<shaft::ShaftPrediction> shaft{};
-  std::optional<results::BandOfResult> band{};  ///< half widths of the 95 % band, if requested
-  model::Findings findings{};                   ///< limits that the answer exceeds
-  std::string why{};                            ///< if not converged: the point and the reason
+  /// Half widths of the 95 % confidence band, if the caller requests it.
+  std::optional<results::BandOfResult> band{};
+  model::Findings findings{};  ///< limits that the results exceed
+  /// Text with the operating point and the reason why it has not converged; empty if it has
+  /// converged.
+  std::string why{};
 
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
 };
@@ -38,14 +41,14 @@ struct PointAnswer {
                                       const bearing::OperatingPoint& point,
                                       const std::optional<model::Band>& band = {});
 
-/// Returns the JSON document of an answer.
+/// Writes an answer as a JSON document.
 [[nodiscard]] std::string point_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const PointAnswer& answer);
 
-/// Returns notes on the results at one point: the exceeded limits, and notes on loads and contacts
-/// of the bearings. Findings with `is_warning`, unloaded bearings of a shaft, and contact ellipses
-/// that extend over a shoulder give warnings.
+/// Returns notes on exceeded limits, and on loads and contacts of the bearings, at one operating
+/// point. Three kinds of note are warnings: a finding with `is_warning`, an unloaded bearing of a
+/// shaft, and a contact ellipse that extends over a shoulder.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

@@ -19,14 +19,14 @@ inline constexpr text::NumberRange moment_load_range{-1e5, 1e5, "N m"};
 struct DeflectionQuestion {
   double force = 0.0;  ///< radial or axial force [N]; an axial force is positive towards the tool
   bool axial = false;  ///< true: the force is axial; false: it is radial
-  /// axial force in addition to a radial force, positive towards the tool [N]
+  /// Axial force in addition to a radial force, positive towards the tool [N].
   double axial_force = 0.0;
-  /// moment at the position of the force [N m]; positive if it turns the shaft like a positive
-  /// radial force between this position and the tool
+  /// Moment at the position of the force [N m]; positive if it turns the shaft like a positive
+  /// radial force between this position and the tool.
   double moment = 0.0;
   double at = 0.0;         ///< distance of the force behind the nose face [m]
   double speed = 0.0;      ///< shaft speed [rad/s]
-  bool warm = false;       ///< true: uses the preload of the warm spindle at steady state
+  bool warm = false;       ///< true: the spindle is warm, with its preload at steady state
   bool coolant_on = true;  ///< true: the coolant of the warm spindle is on
   Wording wording = Wording::arguments;          ///< names in error messages: flags or arguments
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
@@ -54,8 +54,8 @@ struct SpindleDeflection {
   [[nodiscard]] std::string page() const;
 };
 
-/// Computes the deflection. Throws text::InputError under the conditions of check(), for a model
-/// without shaft segments, and for a shaft that bends too far for beam theory.
+/// Computes the deflection. Throws the same exceptions as check(), and text::InputError for a model
+/// without shaft segments and for a shaft that bends too far for beam theory.
 [[nodiscard]] SpindleDeflection spindle_deflection(const files::ModelFile& file,
                                                    const DeflectionQuestion& question);
 

@@ -14,15 +14,16 @@ namespace raceway::session {
 
 struct ModesQuestion {
   std::vector<double> speeds{};  ///< shaft speeds [rad/s]
-  /// True: uses the bearing stiffness of the warm spindle at steady state.
+  /// True: the modes are calculated with the bearing stiffness of the warm spindle at steady state;
+  /// false: with the bearing stiffness of the cold spindle.
   bool warm = false;
   bool coolant_on = true;        ///< true: the coolant of the warm spindle is on
   int count = 6;                 ///< number of modes at each speed
   double damping_ratio = unset;  ///< damping ratio assigned to every mode [1]
-  /// Unbalance for which the whirl of the nose is computed; if it is not given, no whirl is
+  /// Unbalance that makes the nose whirl. If no unbalance is given, the orbit of the nose is not
   /// computed.
   std::optional<spindle::Unbalance> unbalance{};
-  /// If true, the calculation throws fit::Cancelled.
+  /// If this flag is set to true, the calculation throws fit::Cancelled.
   const std::atomic<bool>* cancelled = nullptr;
 };
 
@@ -37,8 +38,8 @@ struct SpindleModes {
 
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
-  /// Returns a warning with the reason for each speed without modes, and a warning for each
-  /// exceeded limit.
+  /// Returns one warning for each speed without modes, with the reason, and one for each exceeded
+  /// limit.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json() const;
   [[nodiscard]] std::string csv() const;

@@ -18,41 +18,41 @@ namespace raceway::session {
 struct RunQuestion {
   Source programme;  ///< CSV with time_s, speed_rpm and further columns
   Reading reading{};
-  /// file of initial temperatures; without this file, all parts start at ambient temperature
+  /// File of initial temperatures; without this file, all parts start at ambient temperature.
   std::optional<Source> start{};
-  /// ambient temperature of every row [K]; NaN means the value of the programme, or the value of
-  /// the model if the programme has none
+  /// Ambient temperature of every row [K]; NaN means the value of the programme, or the value of
+  /// the model if the programme has none.
   double ambient_temperature = unset;
-  bool coolant_on = true;                        ///< false switches the coolant off in every row
-  bool mesh = true;                              ///< true adds an estimate of the mesh error
-  bool assumptions = false;                      ///< true adds the most influential assumed values
+  bool coolant_on = true;    ///< false switches the coolant off in every row
+  bool mesh = true;          ///< true adds an estimate of the mesh error to the result
+  bool assumptions = false;  ///< true adds the most influential assumed values to the result
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the simulation throws fit::Cancelled
 };
 
 struct SpindleRun {
   files::ModelFile file;
   std::string programme{};  ///< name of the programme
-  /// Rows of the programme. A run that ended early has one more row at its end: spindle::add_end().
+  /// Rows of the programme. A simulation that ended early has one additional row at its end
+  /// (spindle::add_end()).
   std::vector<spindle::ProfileRow> profile{};
   /// Initial state; if it is empty, all parts start at ambient temperature.
   std::optional<spindle::State> start{};
   spindle::Run run{};
   results::MeshEstimate mesh{};
-  /// most influential assumed values of the model, at the steady state of the highest speed
+  /// Most influential assumed values of the model, at the steady state of the highest speed.
   results::Assumptions assumptions{};
   std::vector<spindle::FieldCell> field{};  ///< temperature of each cell at the end
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
-  /// Returns the number of rows of the programme, without the row that a run with an early end
-  /// adds.
+  /// Returns the number of rows of the programme, without the additional row of an early end.
   [[nodiscard]] std::size_t rows_asked() const { return profile.size() - (run.has_end ? 1 : 0); }
   [[nodiscard]] std::size_t rows_reached() const {
     return run.moments.size() - (run.has_end ? 1 : 0);
   }
   [[nodiscard]] std::vector<std::string> notes() const { return model::notes_of(findings); }
-  /// Returns a warning with the time and the reason of an early end, and a warning for each limit
-  /// that the run exceeds.
+  /// If the simulation ended early, returns a warning with the time and the reason. Also returns a
+  /// warning for each limit that the run exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;
@@ -61,9 +61,11 @@ struct SpindleRun {
   [[nodiscard]] std::string field_csv() const;
 };
 
-/// Simulates a spindle. Throws text::InputError if the model is not a spindle, if the programme has
-/// no time or no speed or contains several runs, if it begins before 0 s and no initial state is
-/// given, or if the initial state belongs to another spindle or another mesh.
+/// Simulates a spindle. Throws text::InputError in these cases:
+///   - The model is not a spindle.
+///   - The programme has no time or no speed, or contains several runs.
+///   - The programme begins before 0 s, and no initial state is given.
+///   - The initial state belongs to another spindle or another mesh.
 [[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                                           const RunQuestion& question);
 

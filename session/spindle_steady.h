@@ -14,14 +14,14 @@ namespace raceway::session {
 /// Throws text::InputError if the model does not describe a spindle.
 void require_spindle(const files::ModelFile& file);
 
-/// Builds the simulator of a spindle. Throws text::InputError with the file name if the spindle
-/// cannot be mounted or meshed.
+/// Builds the simulator of a spindle. Throws text::InputError with the file name if the bearing
+/// sets cannot be mounted or the mesh cannot be built.
 [[nodiscard]] spindle::Simulator simulator_of(const files::ModelFile& file);
 
 /// Estimates the mesh error by comparing two steady states: with the mesh of the model and with the
-/// next finer mesh. If the mesh of the model is the finest mesh, it is compared with the next
-/// coarser mesh. The estimate is empty for a thermal network, and if one of the two steady states
-/// was not found.
+/// next finer mesh. If the model already uses the finest mesh, the second mesh is the next coarser
+/// mesh. The estimate is empty for a thermal network, and if one of the two steady states was not
+/// found.
 [[nodiscard]] results::MeshEstimate mesh_estimate(const model::Model& model,
                                                   const spindle::Inputs& inputs,
                                                   const std::atomic<bool>* cancelled = nullptr);
@@ -32,16 +32,16 @@ struct SteadyQuestion {
   std::vector<double> speeds{};        ///< shaft speeds [rad/s]
   double ambient_temperature = unset;  ///< ambient temperature [K]; NaN: value of the model
   bool coolant_on = true;
-  /// axial load at the nose, positive towards the tool [N]; NaN means the value of the model
+  /// Axial load at the nose, positive towards the tool [N]; NaN means the value of the model.
   double axial_load = unset;
   double radial_load = 0.0;  ///< radial load at the nose, in the direction of y [N]
   /// Moment at the nose [N m]; positive if it turns the shaft like a positive radial force in front
   /// of the nose.
   double moment = 0.0;
   double belt_force = unset;  ///< pull of the belt [N]; NaN: value of the model
-  /// electrical power of the motor, used in heat formulas of the model [W]; NaN: unknown
+  /// Electrical power of the motor, used in heat formulas of the model [W]; NaN: unknown.
   double motor_power = unset;
-  bool assumptions = false;  ///< true adds the most influential assumed values to the results
+  bool assumptions = false;  ///< true: the results contain the most influential assumed values
   const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
 };
 
@@ -49,10 +49,11 @@ struct SteadyQuestion {
 struct SteadySpindle {
   files::ModelFile file;
   std::vector<results::SteadyState> states{};
-  /// Notes on the roller bearings at the last speed, such as a load below the minimum load.
+  /// Notes on the roller bearings at the last speed, for example that the load is below the minimum
+  /// load.
   std::vector<std::string> roller_notes{};
   results::MeshEstimate mesh{};
-  /// most influential assumed values of the model, at the last speed with a steady state
+  /// Most influential assumed values of the model, at the last speed with a steady state.
   results::Assumptions assumptions{};
   model::Findings findings{};
   spindle::State end{};  ///< steady state of the last speed; empty if it was not found
@@ -70,7 +71,9 @@ struct SteadySpindle {
   [[nodiscard]] std::string field_csv() const;
 };
 
-/// Computes the steady states. Throws text::InputError if the model is not a spindle.
+/// Computes the steady states. Throws text::InputError if the model is not a spindle, for a value
+/// outside its range, for a belt force if the model has no belt, and for a load on a thermal
+/// network.
 [[nodiscard]] SteadySpindle steady_spindle(const files::ModelFile& file,
                                            const SteadyQuestion& question);
 

@@ -27,11 +27,13 @@ struct StepQuestion {
   /// Load steps at the nose, in rising order [N]. Each load is applied at every speed of
   /// `load_speeds`, or at all speeds if `load_speeds` is empty.
   std::vector<double> axial_loads{}, radial_loads{};
-  std::vector<double> load_speeds{};  ///< in rising order [rad/s]
+  std::vector<double> load_speeds{};  ///< speeds of the load steps, in rising order [rad/s]
   double duration = 4 * 3600.0;       ///< duration of each step [s]
   bool coolant_on = true;
-  Wording wording = Wording::arguments;          ///< names in messages: flags or arguments
-  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
+  /// Names in messages: flags of the command, or arguments of a function.
+  Wording wording = Wording::arguments;
+  /// If this flag is set to true, the calculation throws fit::Cancelled.
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
 /// Responses of a spindle to steps of speed or load, simulated or read from a file. The laws K(P)
@@ -39,20 +41,22 @@ struct StepQuestion {
 /// loss of all bearings at the end of the step.
 struct SpindleSteps {
   std::optional<files::ModelFile> file{};  ///< empty if the responses were read without a model
-  std::string source{};                    ///< name of the file that gave the responses
+  std::string source{};                    ///< name of the model file or of the imported file
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
   std::vector<record::Note> notes{};
-  /// Lubricant temperature at which the friction power of imported steps is computed [C].
+  /// Lubricant temperature at which the friction power of imported steps is computed [C]; NaN:
+  /// temperature of the table [rig] of the model.
   double temperature_C = unset;
   bool coolant_on = true;
   bool simulated = false;  ///< true: simulated by raceway; false: imported from a file
 
   [[nodiscard]] const model::Model* model() const { return file ? &file->model : nullptr; }
   [[nodiscard]] bool converged() const;
-  /// Returns the number of step responses to speeds and to loads.
+  /// Returns the number of all speed steps and load steps.
   [[nodiscard]] std::size_t count() const;
-  /// Returns a warning with the reason for each step without a response.
+  /// Returns one warning for each step whose simulation has no result. The warning gives the
+  /// reason.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string csv() const;
   /// Returns the step responses as JSON. `error` is the result of superposition_of_steps(), or
@@ -68,33 +72,38 @@ struct SpindleSteps {
 [[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
-/// Returns step responses from imported load cases; `file` may be null. For a case with only a
-/// speed, the power comes from the model at the lubricant temperature `temperature_C` [C]; NaN
-/// means the rig temperature of the model. Throws text::InputError for such a case without a model.
+/// Returns step responses from imported load cases. `file` is the model of the spindle, or null. If
+/// a load case contains a speed but no power, the power is calculated from the friction of the
+/// model at the lubricant temperature `temperature_C` [C]. NaN means the temperature of the table
+/// [rig] of the model. If `file` is null, throws text::InputError for a load case without power.
 [[nodiscard]] SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases,
                                           const std::string& source, const files::ModelFile* file,
                                           double temperature_C);
 
 /// Options for a correction made from step responses.
 struct StepCorrectionQuestion {
-  /// form of the laws for gain K(P) and time constant T(P) over the power P: "curve", "power" or
-  /// "line"
+  /// Form of the laws for gain K(P) and time constant T(P) as functions of the power P: "curve",
+  /// "power" or "line".
   std::string law = "curve";
-  std::string lags = "auto";                     ///< number of lags: "one", "two" or "auto"
-  Wording wording = Wording::arguments;          ///< how notes name these options
-  const std::atomic<bool>* cancelled = nullptr;  ///< if true, the calculation throws fit::Cancelled
+  std::string lags = "auto";  ///< number of lags: "one", "two" or "auto"
+  /// Names in notes: flags of the command, or arguments of a function.
+  Wording wording = Wording::arguments;
+  /// If this flag is set to true, the calculation throws fit::Cancelled.
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// Returns the correction from the step responses. Throws std::invalid_argument if the step
-/// responses do not determine a correction.
+/// Returns the correction from the step responses. Throws the same exceptions as
+/// results::step_model().
 [[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
                                                     const StepCorrectionQuestion& question);
 
-/// Returns the names of the correction channels for the requested load steps.
+/// Returns the names of the channels that a correction contains for the load steps of a
+/// StepQuestion.
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
-/// Compares a correction from step responses with the full simulation of the spindle over a
-/// programme of speeds and loads, read as a spindle record. Throws the same exceptions as
+/// Compares a correction from step responses with the full simulation of the spindle. `programme`
+/// is a record with the speeds and loads over time. `steps` must contain a model file. Throws
+/// std::invalid_argument if the model is not a spindle, and the exceptions of
 /// results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,

@@ -8,9 +8,10 @@
 #include "model/model.h"
 #include "shaft/shaft_prediction.h"
 
-/// Columns of a table in addition to the torque. A bearing has columns for moments, contact angles,
-/// pressures and others. A shaft has these columns for every bearing, and the axial position as the
-/// last column. With Columns::of_states, a bearing also has columns for stiffness and ball loads.
+/// Columns of a table in addition to the torque. A bearing has columns such as contributions to the
+/// torque, contact angles and pressures. A shaft has columns for the forces on the bearing sets,
+/// columns for every bearing, and the axial displacement as the last column. With
+/// Columns::of_states, a ball bearing also has columns for stiffness and ball loads.
 namespace raceway::session {
 
 enum class Columns { of_tables, of_states };
@@ -23,8 +24,9 @@ enum class Columns { of_tables, of_states };
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
-/// Writes the columns for one operating point of a bearing (fill_state()) or of a shaft
-/// (fill_shaft_state()) into `out`, from the prediction at this point.
+/// fill_state() writes the columns for one operating point of a bearing into `out`.
+/// fill_shaft_state() does this for a shaft. The values come from `prediction`, which is already
+/// computed.
 void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
                 const model::FrictionPrediction& prediction, friction::TablePoint& out);
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,

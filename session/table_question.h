@@ -21,12 +21,13 @@ namespace raceway::session {
 struct TableQuestion {
   AskedAxes axes{};
   friction::TableSlab slab{};
-  /// If given, adds the half widths of the 95 % bands of torque and power loss.
+  /// If given, the table also contains the half widths of the 95 % bands of torque and power loss.
   std::optional<model::Band> band{};
   Wording wording = Wording::arguments;
 };
 
-/// Grid and column names of a table, determined before the points are solved.
+/// Grid and column names of a table. They are known before the operating points of the grid are
+/// solved.
 struct TablePlan {
   friction::TableAxes axes;
   std::vector<std::string> columns;
@@ -46,9 +47,9 @@ struct TableAnswer {
   /// modelica.
   [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
-  /// Returns the findings that are notes, and the text of balls_statement(), which compares ceramic
-  /// with steel balls. This text is for the highest speed and for the first loads and the first
-  /// temperature of the axes.
+  /// Returns the notes in `findings`, and a comparison of ceramic with steel balls
+  /// (balls_statement()). The operating point of the comparison has the highest speed, the first
+  /// loads and the first temperature of the axes.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
   /// Returns warnings about exceeded limits.
   [[nodiscard]] std::vector<record::Note> warnings() const {
@@ -56,16 +57,16 @@ struct TableAnswer {
   }
 };
 
-/// Solves all points on all cores. `progress` receives the finished share, 0 to 1. Throws
-/// fit::Cancelled if `cancelled` is set during the calculation.
+/// Solves all operating points of the table on all processor cores. `progress` receives the
+/// finished share, 0 to 1. Throws fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] TableAnswer make_table(const files::ModelFile& file, const TableQuestion& question,
                                      TablePlan plan,
                                      const std::function<void(double)>& progress = {},
                                      const std::atomic<bool>* cancelled = nullptr);
 
-/// Lines of text on the points that have not converged. Each line gives a reason, the number of
-/// points and the first such point. If the friction law does not need the ball loads, points
-/// without equilibrium have a valid torque.
+/// Lines of text about the operating points without a solution. Each line gives a reason, the
+/// number of points with this reason, and the first of these points. If the friction law does not
+/// need the ball loads, a point without equilibrium has a valid torque.
 struct TableFailures {
   std::vector<std::string> lines{};
   bool without_torque = false;  ///< true if some points have no friction torque
@@ -74,8 +75,8 @@ struct TableFailures {
                                      const friction::StribeckTable& table);
 
 /// Returns solved points for the ball drawings of a report: at most 25 speeds at each of at most 12
-/// pairs of axial and radial load, at the first temperature. Points without equilibrium are
-/// omitted. The result is empty for a shaft, because the loads of the grid are external loads, not
+/// pairs of axial and radial load, at the first temperature. Points without equilibrium are left
+/// out. The result is empty for a shaft, because the loads of the grid are external loads, not
 /// bearing loads.
 [[nodiscard]] report::BearingStates states_to_draw(const model::Model& model,
                                                    const friction::TableAxes& grid);

@@ -15,17 +15,18 @@ namespace raceway::session {
 struct Tolerance {
   std::string text;
 
-  /// Sets the tolerances in the model for this calculation. The unit selects the measured channels.
-  /// Throws text::InputError for a number without a unit or not above 0, for two numbers with
-  /// the same unit, for a unit without a measured channel, and for a channel that already has a
-  /// tolerance.
+  /// Copies the tolerances into the model. Each tolerance applies to the measured channels with the
+  /// same unit. Throws text::InputError in these cases:
+  ///   - A number has no unit or is not above 0, or two numbers have the same unit.
+  ///   - The model predicts no measured channel in this unit.
+  ///   - The model file already gives a tolerance for this channel.
   void set(files::ModelFile& file) const;
   void set(correction::Model& model, const std::string& source) const;
 
  private:
   using Set = std::function<void(const record::Channel&, double)>;
-  /// Sets the tolerances of the measured channels. `table` is the table in which the file may give
-  /// a tolerance.
+  /// Sets the tolerances of the measured channels. `table` is the name of the table in the model
+  /// file that may contain tolerances; an error message names this table.
   void set(const std::vector<fit::Measured>& measured, const std::string& source,
            std::string_view table, const Set& take) const;
 };

@@ -9,10 +9,11 @@
 
 namespace raceway::shaft {
 
-/// Solves the equilibrium of the bearing sets on a shaft at the rows of a record, repeatedly with
-/// different parameters of one model. Each row stores its equilibrium as the start of its next
-/// solve. The equilibrium is solved again only if the mounted sets, the condition of the sets or
-/// the oil properties that determine the ball rotation (model::BallTurning) have changed.
+/// Solves the equilibrium of the bearing sets on a shaft for the rows of a record. A fit can solve
+/// the rows repeatedly with different parameter values of one model. Each row stores its last
+/// equilibrium, and the next solution of the row starts from this equilibrium. A row is solved
+/// again only if its input has changed: the mounted sets, the operating condition of the sets, or
+/// the oil properties that determine the ball rotation (model::BallTurning).
 ///
 /// The axial load of a row is the external load on the shaft. A record without axial load uses the
 /// external load of the model. The recorded preload force at standstill and recorded ring
@@ -22,22 +23,23 @@ namespace raceway::shaft {
 class BalancedRows {
  public:
   struct Row {
-    model::Row row;  ///< row of the record; missing ring temperatures come from the model
+    /// Row of the record. Ring temperatures that the record lacks come from the model.
+    model::Row row;
     std::optional<bearing::SetTemperatures> temperatures;
-    /// Changes by effects for each bearing, front set first.
+    /// Changes that the effects of the model make to each bearing, front set first.
     std::vector<effects::Condition> bearings{};
     bearing::ArrangementEquilibrium equilibrium{};
-    int solved = 0;  ///< number of equilibria solved for this row
+    int solved = 0;  ///< number of times that the equilibrium of this row was solved
 
    private:
     friend class BalancedRows;
     std::size_t balance = 0;  // index into balances_
     bearing::ArrangementCondition condition{};
     model::BallTurning turning{};
-    int version = 0;  // ShaftBalance::version() at the last solve
+    int version = 0;  // ShaftBalance::version() at the last solution
   };
 
-  /// The record must live longer than this object. Throws std::invalid_argument for a model without
+  /// The record must exist as long as this object. Throws std::invalid_argument for a model without
   /// a shaft, and for temperatures that add_expansion() rejects.
   BalancedRows(const Model& model, const record::Record& record);
 
@@ -48,10 +50,11 @@ class BalancedRows {
     return balances_[rows_[i].balance];
   }
 
-  /// Mounts the sets with the parameter values of a model. Then call find() for the rows in order.
+  /// Mounts the sets with the parameter values of `model`. Then call find() for each row, in the
+  /// order of the record.
   void mount(const Model& model, const Steps& steps);
   /// Solves the equilibrium of row i. Returns false if the sets cannot be mounted or have no
-  /// equilibrium, if the speed or the load is not finite, or if an effect gives no finite value.
+  /// equilibrium, or if the speed, the load or the result of an effect is not finite.
   [[nodiscard]] bool find(const Model& model, const Steps& steps, std::size_t i);
 
  private:

@@ -21,7 +21,8 @@ struct PairRigidity {
   [[nodiscard]] double deviation() const { return computed / printed - 1.0; }
 };
 
-/// Range of the conformity of spindle bearings, used as the bounds of the fit.
+/// Usual range of the groove conformity (groove radius divided by ball diameter) of spindle
+/// bearings. fit_conformity() searches only in this range.
 inline constexpr double lowest_conformity = 0.505, highest_conformity = 0.56;
 
 struct ConformityFit {
@@ -30,26 +31,28 @@ struct ConformityFit {
   /// conformity is at a bound.
   double std = unset;
   record::Bound at_bound = record::Bound::none;
-  double rms = unset;  ///< RMS of ln(computed/printed) over the preload classes [1]
+  double rms = unset;  ///< RMS over the preload classes of ln(computed/printed rigidity) [1]
   std::vector<PairRigidity> classes;
   fit::FitStatus status = fit::FitStatus::not_run;
 };
 
 /// Returns the axial tangent rigidity of a back-to-back pair of equal bearings at rest with rigid
-/// preload: twice the rigidity of one bearing under this preload [N/m]. The result is NaN without
-/// equilibrium.
+/// preload: twice the rigidity of one bearing under this preload [N/m]. The result is NaN if the
+/// bearing has no equilibrium under this preload.
 [[nodiscard]] double pair_rigidity(const bearing::Bearing& bearing, double preload);
 
-/// Fits one groove conformity for both races to the pair rigidities of a catalogue. The fit
-/// minimises Σ ln²(computed/printed) within lowest_conformity..highest_conformity. The conformities
-/// in `bearing` are not used.
+/// Fits one groove conformity for both races to the axial rigidities of bearing pairs in a
+/// catalogue. The fit minimises Σ ln²(computed/printed rigidity) over the preload classes, with a
+/// conformity from lowest_conformity to highest_conformity. The conformities in `bearing` are not
+/// used.
 ///
-/// The rigidity hardly distinguishes the two races, so the fit can find only a common conformity.
-/// The fitted conformity also compensates for all other differences in stiffness between this model
-/// and the catalogue, such as elastic rings.
+/// The conformities of inner and outer race change the rigidity in nearly the same way, so the fit
+/// can find only one common value. The fitted conformity also compensates for all other differences
+/// in stiffness between this model and the catalogue, such as elastic rings.
 /// Accuracy: `std` comes from the scatter of the deviations over the preload classes. `std` does
-///           not include an error of the maker's method of calculation. A change of the conformity
-///           by 0.01 changes the rigidity by 19 % (contact angle 15 deg) or 12 % (25 deg).
+///           not include errors of the method with which the maker calculated the catalogue values.
+///           A change of the conformity by 0.01 changes the rigidity by 19 % (contact angle 15 deg)
+///           or 12 % (25 deg).
 /// Throws std::invalid_argument if `classes` is empty, and for a preload or a printed rigidity that
 /// is not positive and finite.
 [[nodiscard]] ConformityFit fit_conformity(const bearing::Bearing& bearing,

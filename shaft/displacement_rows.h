@@ -8,23 +8,25 @@
 
 namespace raceway::shaft {
 
-/// Predicts the displacement of a shaft at the rows of a record, repeatedly with different
-/// parameters of one model. BalancedRows finds the equilibrium of the sets at each row.
+/// Predicts the axial displacement of a shaft at the rows of a record. A fit can repeat the
+/// prediction with different parameter values of one model. BalancedRows finds the equilibrium of
+/// the sets at each row.
 class DisplacementRows {
  public:
-  /// The record must live longer than this object. Throws std::invalid_argument like BalancedRows.
+  /// The record must exist as long as this object. Throws std::invalid_argument in the same cases
+  /// as BalancedRows.
   DisplacementRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Writes the displacement at every row to `readings` [m], like predict_displacement(). `model`
-  /// must have the effects and temperatures of the model in the constructor. Other parameters may
-  /// differ.
+  /// must have the same effects and temperatures as the model in the constructor; other parameters
+  /// may differ.
   void predict(const Model& model, std::span<double> readings);
 
  private:
   struct Standstill {
     double position = 0.0;  ///< [m]
-    int version = 0;        ///< ShaftBalance::version() at this position
+    int version = 0;        ///< value of ShaftBalance::version() when this position was computed
   };
   /// Returns the shaft position at standstill under the load of row i [m].
   [[nodiscard]] double standstill(const Model& model, std::size_t i);
@@ -35,9 +37,10 @@ class DisplacementRows {
 };
 
 /// Returns the displacement of the shaft at the rows of a record [m]: ShaftPrediction::displacement
-/// plus the contributions of effects on the transducer reading. The value of a row is NaN if the
-/// sets have no equilibrium or an effect gives no finite value. BalancedRows defines the load,
-/// preload and temperatures of a row. Throws std::invalid_argument like BalancedRows.
+/// plus the displacement that effects of the model add to the sensor reading. The value of a row is
+/// NaN if the sets have no equilibrium or an effect gives no finite value. See BalancedRows for the
+/// load, preload and temperatures of a row. Throws std::invalid_argument in the same cases as
+/// BalancedRows.
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
 

@@ -7,18 +7,18 @@
 
 namespace raceway::shaft {
 
-/// Table of a displacement curve, for shapes that the kinematic law cannot follow. A piecewise
-/// cubic passes through the points and is monotone between neighbouring points.
+/// Table of displacement over speed, for curves that the kinematic law (kinematic_law.h) cannot
+/// follow. A piecewise cubic passes through the points and is monotone between neighbouring points.
 struct DisplacementTable {
   std::vector<double> speed;         ///< increasing [rad/s]
   std::vector<double> displacement;  ///< displacement at each speed [m]
   std::vector<double> slope;         ///< slope du/dω at each speed [m s/rad]
-  /// True if the displacement only rises or only falls. Otherwise the displacement turns only at
-  /// points of the table.
+  /// True if the displacement only rises or only falls over the whole table. If false, every
+  /// maximum and minimum is at a point of the table.
   bool monotone = false;
 };
 
-/// Makes the table of a curve. Points with the same speed are averaged.
+/// Makes a displacement table from the points of a curve. Points with the same speed are averaged.
 ///
 /// The slopes come from the PCHIP method [FritschCarlson1980], so the cubic has no turning point
 /// between two points. Throws std::invalid_argument for fewer than four different speeds and for a

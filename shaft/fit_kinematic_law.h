@@ -24,43 +24,50 @@ struct DisplacementPoint {
   double std = unset;  ///< standard deviation, if known [m]
 };
 
-/// Bounds of the parameters B and C of the law, in the published units. With B above 1 the law
-/// tends to infinity towards standstill. With B below 0 the exponent of the speed falls with the
-/// speed instead of rising. For C n_max below 0.01 (n_max: highest speed) the law is nearly a power
-/// of the speed; above 100 it is nearly a straight line. The default bounds of C are therefore
-/// 0.01/n_max and 100/n_max. A has no bounds; A is negative if the shaft moves away from the tool.
+/// Bounds of the parameters B and C of the kinematic law u = A n^(1 - B exp(-C n)), in its
+/// published units (see kinematic_displacement_um()). u is the displacement and n the speed.
+/// `upper_B` must not exceed 1: with B above 1, the displacement u would tend to infinity towards
+/// standstill. With B below 0, the exponent of the speed falls with rising speed. If C n_max is
+/// below 0.01 (n_max: highest speed), u is nearly a power of the speed. If C n_max is above 100, u
+/// is nearly a straight line. The default bounds of C are therefore 0.01/n_max and 100/n_max. A has
+/// no bounds. A is negative if the shaft moves away from the tool.
 struct KinematicLawBounds {
   double lower_B = 0.0, upper_B = 1.0;
   double lower_C = unset, upper_C = unset;  ///< [1/rpm]
 };
 
-/// Limits of the mean absolute error for the verdict `follows`: the error of the published fit
-/// [Brecher2021, section 4.2], and a share of the largest displacement. The error must be within
-/// both limits.
+/// Limits of the mean absolute error for the verdict `follows`. The error must be within both
+/// limits. The first limit is the error of the published fit [Brecher2021, section 4.2]. The second
+/// limit is 1 % of the largest displacement.
 inline constexpr double kinematic_law_tolerance = 0.023e-6;  ///< [m]
 inline constexpr double kinematic_law_share = 0.01;          ///< [1]
 
 enum class KinematicLawVerdict {
-  follows,  ///< mean absolute error within both limits
-  scatter,  ///< error above a limit, with residuals that scatter from row to row
-  stiff     ///< error above a limit, with smooth residuals: the law cannot follow the shape
+  follows,  ///< the mean absolute error is within both limits
+  /// The mean absolute error is above a limit, and the residuals scatter randomly from row to row.
+  scatter,
+  /// The mean absolute error is above a limit, and the residuals are smooth, so the law cannot
+  /// follow the curve.
+  stiff
 };
 
 struct KinematicLawFit {
   KinematicLaw law;
-  /// A, B and C with value, standard error and bounds, in published units.
+  /// A, B and C with value, standard error and bounds, in the published units.
   std::array<record::Parameter, 3> parameters;
-  /// Correlation of A, B and C; NaN for a parameter without standard error.
+  /// Correlation matrix of A, B and C. If a parameter has no standard error, its row and column are
+  /// NaN.
   Eigen::Matrix3d correlation = Eigen::Matrix3d::Constant(unset);
   double mae = unset;               ///< mean absolute error [m]
   double max_abs = unset;           ///< largest absolute error [m]
   double speed_of_max_abs = unset;  ///< speed of the largest absolute error [rad/s]
   double largest = unset;           ///< largest absolute displacement [m]
   double scatter = unset;           ///< scatter of neighbouring rows about a smooth curve [m]
-  /// RMS of law minus reading [m]. If `weighted` is true, each difference is divided by its
-  /// standard deviation [1].
+  /// RMS difference between law and reading [m]. If `weighted` is true, each difference is divided
+  /// by the standard deviation of its reading, so that the RMS has no unit.
   double misfit = unset;
-  double standstill = 0.0;     ///< largest reading at standstill, where the law is 0 [m]
+  /// Reading at standstill with the largest absolute value [m]. The law gives 0 at standstill.
+  double standstill = 0.0;
   int rows = 0;                ///< fitted rows, with a speed above 0
   int rows_at_standstill = 0;  ///< rows at standstill, not used for the fit and the errors
   bool weighted = false;       ///< true if rows are weighted by their standard deviation
@@ -75,28 +82,30 @@ struct KinematicLawFit {
 /// Returns the name of the verdict: "follows", "scatter" or "stiff".
 [[nodiscard]] std::string_view name(KinematicLawVerdict verdict);
 
-/// Fits the law to a curve by variable projection. The fit minimises Σ (u(n) - u_measured)² / std².
-/// The weights are equal unless every row has a `std`.
+/// Fits the kinematic law to a curve. The fit minimises Σ (u(n) - u_measured)² / std². All rows
+/// have the same weight unless every row has a `std`.
 ///
-/// The law is linear in A, so the search over B and C finds A by linear least squares. For each C
-/// of a grid, the best B is found on a grid and then to full accuracy. From each minimum of the
-/// resulting misfit over C, the solver Ceres optimises all three parameters. The result with the
-/// smallest misfit is used. The fit therefore needs no start value.
+/// The fit needs no start value. The law is linear in A, so linear least squares give A for each B
+/// and C (variable projection). A grid search over B and C finds the local minima of the misfit.
+/// From each of these minima, the solver Ceres optimises all three parameters. The function returns
+/// the result with the smallest misfit.
 ///
-/// The standard errors come from the linearised problem. Without `std`, the misfit determines the
-/// scale of the standard errors. With `std`, the standard errors are increased if the reduced
-/// chi-square of the fit is above 1. A computed curve has no scatter, so standard errors from such
-/// a curve are not valid for other curves.
+/// The standard errors come from the linearised problem. If the rows have no `std`, the scatter for
+/// the standard errors comes from the residuals. If the rows have a `std`, the standard errors are
+/// increased if the reduced chi-square of the fit is above 1. The readings of a computed curve have
+/// no random errors, so the standard errors of a fit to such a curve have no statistical meaning.
 ///
-/// Rows at standstill are not fitted, because the law is zero there. They extend the speed range of
-/// the law to zero. Throws std::invalid_argument for a value that is not finite, a negative speed,
-/// a `std` that is not positive, fewer than four different speeds above zero, only zero
-/// displacements above standstill, and invalid bounds.
+/// Rows at standstill are not fitted, because the law is zero there. If the curve has such rows,
+/// the speed range of the law begins at zero. Throws std::invalid_argument for invalid bounds, for
+/// a speed or displacement that is not finite, for a negative speed, and for a `std` that is not
+/// positive. Throws also if the curve has fewer than four different speeds above zero, or if all
+/// displacements at these speeds are zero.
 [[nodiscard]] KinematicLawFit fit_kinematic_law(std::span<const DisplacementPoint> curve,
                                                 const KinematicLawBounds& bounds = {});
 
-/// Fits the law from one start of B and C without the grid, and returns the nearest optimum. Use
-/// this function to check that fit_kinematic_law() returns the lowest optimum.
+/// Fits the kinematic law from one start value of B and C, and returns the local minimum of the
+/// misfit that this iteration reaches. Use this function to check that fit_kinematic_law() returns
+/// the lowest minimum.
 [[nodiscard]] KinematicLawFit refine_kinematic_law(std::span<const DisplacementPoint> curve,
                                                    const KinematicLaw& start,
                                                    const KinematicLawBounds& bounds = {});

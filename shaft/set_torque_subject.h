@@ -4,8 +4,8 @@
 
 namespace raceway::shaft {
 
-/// Shaft model as the fit::Subject of a measured friction torque. The torque is the sum over all
-/// bearings, each in the equilibrium of the sets.
+/// Shaft model that fits use to predict a measured friction torque (interface fit::Subject). The
+/// torque is the sum over all bearings in the equilibrium of the sets.
 class SetTorqueSubject final : public ShaftSubject {
  public:
   /// Throws std::invalid_argument for a model without a shaft.
@@ -17,21 +17,22 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the inputs of the saturated regression (fit::Saturation) for a torque. The load input
-  /// is the ratio of external load to preload.
+  /// Returns the inputs of the saturated regression, which has so many terms that its residuals are
+  /// noise (fit::Saturation). The load input is the ratio of external load to preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns the quantities for tests of modified effect laws: speed, load and viscosity in each
-  /// row. The load is the root of the sum of squares of preload and external load.
+  /// Returns speed, load and viscosity in each row. The program multiplies the formula of an effect
+  /// by a power of such a quantity, to test if the real effect depends differently on the quantity.
+  /// The load is sqrt(preload² + external load²).
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Returns an empty text: the sign of a torque is not in doubt, and files::doubts() checks the
-  /// unit.
+  /// Returns an empty text, because files::doubts() already checks the unit of the torque.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns the other friction laws as base models.
+  /// Returns the friction laws that can replace the law of the model.
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
-  /// Returns measurements that distinguish the rival explanations.
+  /// Describes measurements that can distinguish between the explanations of the misfit in
+  /// `rivals`.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

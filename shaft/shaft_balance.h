@@ -12,52 +12,55 @@ using model::Model;
 using model::Shaft;
 using model::Steps;
 
-/// Condition of the sets of a shaft at one operating point.
+/// Operating condition of the bearing sets of a shaft: speed, axial load, thermal and centrifugal
+/// growth, and the changes that effects make to the bearings.
 struct ShaftCondition {
   bearing::ArrangementCondition sets;
-  /// Changes by effects for each bearing, front set first.
+  /// Changes that the effects of the model make to each bearing, front set first.
   std::vector<effects::Condition> bearings;
 };
 
-/// Mounts the bearing sets of a shaft and finds their operating condition, with the changes by
-/// effects.
+/// Mounts the bearing sets of a shaft and finds their operating condition, including the effects of
+/// the model.
 ///
-/// Effects on balls, fits and mounting act before the shaft first turns. Such effects belong to the
-/// mounted state, in which the sets carry the preload of the model. A preload force keeps its value
-/// with any interference fit. A preload offset is ground into the bearings before mounting, so an
-/// interference fit adds to the offset. Ring growth by speed, heat and temperature shifts the
-/// grooves from the mounted state.
+/// Effects that change balls, interference fits or mounting act on the mounted state, before the
+/// shaft turns for the first time. In this state, the sets have the preload of the model. A preload
+/// given as a force does not change with the interference fit. A preload given as an offset is
+/// ground into the bearings before mounting, so an interference fit increases the offset. Ring
+/// growth by speed and temperature shifts the grooves relative to the mounted state.
 class ShaftBalance {
  public:
-  /// `preload` replaces the preload force of the model [N]. NaN keeps the force of the model.
+  /// `preload` is a preload force [N] that is used instead of the preload of the model. If it is
+  /// NaN, the preload of the model is used.
   explicit ShaftBalance(double preload = unset) : preload_(preload) {}
 
-  /// Mounts the sets with the parameter values of a model, unless they are already mounted with
-  /// these values. Returns false if the sets cannot be mounted: a bearing has no free contact angle
-  /// left, or Arrangement rejects a value.
+  /// Mounts the sets with the parameter values of `model`, unless the sets are already mounted with
+  /// these values. Returns false if the sets cannot be mounted. This is the case if balls and
+  /// interference fit leave no free contact angle in a bearing, or if Arrangement rejects a value.
   bool mount(const Model& model, const Steps& steps);
   /// Returns a number that changes whenever mount() changes the mounted sets.
   [[nodiscard]] int version() const { return version_; }
   [[nodiscard]] bool mounted() const { return arrangement_.has_value(); }
   [[nodiscard]] const bearing::Arrangement& arrangement() const { return *arrangement_; }
 
-  /// Finds the condition at an operating point. The axial load of `point` is the external load on
-  /// the shaft. Returns false if an effect gives no finite value. Throws std::invalid_argument like
-  /// add_expansion().
+  /// Writes the condition of the sets at an operating point to `condition`. The axial load of
+  /// `point` is the external load on the shaft. Returns false if an effect gives no finite value.
+  /// Throws std::invalid_argument in the same cases as add_expansion().
   bool find_condition(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
                       const effects::Record& record,
                       const std::optional<bearing::SetTemperatures>& temperatures,
                       ShaftCondition& condition) const;
 
-  /// Returns the shaft position at standstill under this load [m]; NaN if there is no equilibrium.
+  /// Returns the axial position of the shaft at standstill under an external axial load [m]; NaN if
+  /// there is no equilibrium.
   [[nodiscard]] double standstill(double external_load,
                                   const bearing::EquilibriumOptions& options) const;
 
  private:
   double preload_;
-  std::optional<bearing::Arrangement> arrangement_;  // empty if it cannot be mounted
+  std::optional<bearing::Arrangement> arrangement_;  // empty if the sets cannot be mounted
   bearing::ArrangementDesign entered_;
-  std::vector<effects::Condition> at_rest_;  // condition of every bearing as mounted
+  std::vector<effects::Condition> at_rest_;  // condition of every bearing in the mounted state
   int version_ = 0;
 };
 

@@ -18,9 +18,9 @@ struct ShaftPoint {
   double temperature = kelvin(40);  ///< temperature of the lubricant [K]
 };
 
-/// Result for a shaft at one point: its position, and the friction of every bearing under its load
-/// in the sets. If the sets have no equilibrium, the values are NaN and the lists are empty;
-/// `equilibrium.report` gives the reason.
+/// Position of a shaft and friction of all its bearings at one operating point. If the bearing sets
+/// have no equilibrium, all numbers are NaN and all lists are empty, and `equilibrium.report` gives
+/// the reason.
 struct ShaftPrediction {
   bearing::ArrangementEquilibrium equilibrium;
   /// Shaft position minus the position of the mounted shaft at standstill and mounting temperature,
@@ -31,20 +31,20 @@ struct ShaftPrediction {
   double torque = unset;                  ///< friction torque, summed over all bearings [N m]
   double power_loss = unset;              ///< torque times speed [W]
 
-  /// Returns the status that all commands report for this point: the status of the equilibrium of
-  /// the sets. The status is `not_finite` if the equilibrium converged but a position, torque or
-  /// loss is not finite.
+  /// Returns the status that all commands report for this point: the status of the equilibrium, or
+  /// `not_finite` if the equilibrium converged but position, torque, power loss or the friction of
+  /// a bearing is not finite.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
 
-/// Predicts position, forces and friction of a shaft. Each solve starts from the solution of the
-/// last converged point.
+/// Predicts position, forces and friction of a shaft at each point. For each point, the solver
+/// starts from the solution of the last converged point before this point.
 ///
-/// Effects that change the condition of a bearing enter the equilibrium of the sets (see
-/// ShaftBalance). SetFriction gives the friction of each bearing. Position and torque do not
-/// include effects on sensor readings. predict_displacement() and predict_torque() add these
-/// effects. Throws std::invalid_argument for a model without a shaft and for points that are not
-/// finite.
+/// The equilibrium includes the effects that change the condition of a bearing, such as ring growth
+/// (see ShaftBalance). SetFriction computes the friction of each bearing. Position and torque do
+/// not include effects on sensor readings. predict_displacement() and predict_torque() include
+/// these effects. Throws std::invalid_argument for a model without a shaft and for points that are
+/// not finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 

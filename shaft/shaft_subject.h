@@ -4,8 +4,8 @@
 
 namespace raceway::shaft {
 
-/// Shaft model as the fit::Subject of a measured axial displacement. For measured torque, see
-/// SetTorqueSubject.
+/// Shaft model that fits use to predict a measured axial displacement (interface fit::Subject).
+/// SetTorqueSubject does the same for a measured torque.
 class ShaftSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for a model without a shaft.
@@ -17,23 +17,26 @@ class ShaftSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the saturated regression of the base class. Each level of speed, axial load and
-  /// preload is an additional term of the regression.
+  /// Returns the saturated regression, which has so many terms that its residuals are noise
+  /// (fit::Saturation). Each level of speed, axial load and preload adds a term to the regression
+  /// of fit::Judged::saturation().
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns the quantities for tests of modified effect laws: speed, preload (0 if not recorded)
-  /// and viscosity in each row.
+  /// Returns speed, preload and viscosity in each row. To test a modified law of an effect, the
+  /// program multiplies the law by a power of one of these quantities. A preload that is not
+  /// recorded is 0 here.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
-  /// Returns a message if the readings are nearly proportional to the prediction, but with the
-  /// opposite sign or with a factor above 200 or below 1/200; otherwise an empty text.
+  /// Returns a message if the readings are nearly proportional to the prediction, but have the
+  /// opposite sign or differ by a factor above 200 or below 1/200. Otherwise, the text is empty.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
-  /// Returns inputs and levels for the next measurements. If the preload does not vary in the
-  /// record, the levels include half and twice this preload.
+  /// Returns the inputs for the next measurements, each with the levels to measure. If the preload
+  /// does not vary in the record, its levels are one, a half and two times this preload.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
-  /// Returns measurements that distinguish the rival explanations. Ring temperatures and runs with
-  /// rising and falling speed separate effects of heat from effects of speed. The inspection sheet
-  /// of the bearings is in the list if a bearing dimension is one of the explanations.
+  /// Returns descriptions of measurements that would distinguish the rival explanations. For
+  /// example, ring temperatures, or runs with rising and falling speed, distinguish effects of heat
+  /// from effects of speed. The list includes the inspection sheet of the bearings if a bearing
+  /// dimension is one of the explanations.
   [[nodiscard]] std::vector<std::string> records_needed(
       const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
       const std::vector<std::string>& not_testable) const override;

@@ -8,26 +8,25 @@
 
 namespace raceway::shaft {
 
-/// Predicts the friction torque of the sets on a shaft at the rows of a record, repeatedly with
-/// different parameters of one model. BalancedRows finds the equilibrium, and SetFriction gives the
-/// friction.
+/// Predicts the friction torque of the sets on a shaft at the rows of a record. In a fit, call
+/// predict() repeatedly with different parameter values of one model.
 class TorqueRows {
  public:
-  /// The record must live longer than this object. Throws std::invalid_argument like BalancedRows.
+  /// The record must live longer than this object. Throws std::invalid_argument in the same cases
+  /// as BalancedRows.
   TorqueRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Returns the calculation steps of the model, including effects on the torque reading.
   [[nodiscard]] const Steps& steps() const { return steps_; }
   /// Writes the torque at every row to `readings` [N m], like predict_torque(). `model` must have
-  /// the effects and temperatures of the model in the constructor. Parameters that act before the
-  /// stage `from` must have the values of the previous call; other parameters may differ.
+  /// the same effects and temperatures as the model that was passed to the constructor. `from` is
+  /// the first calculation stage whose parameters have changed since the previous call.
   void predict(const Model& model, std::span<double> readings,
                model::Stage from = model::Stage::entry);
 
  private:
   struct Made {
-    /// BalancedRows::Row::solved when the predictors of the row were made; 0: not made.
     int solved = 0;
     std::vector<effects::Condition> conditions{};
   };
@@ -42,10 +41,10 @@ class TorqueRows {
 };
 
 /// Returns the friction torque of the sets on a shaft at the rows of a record [N m]: the sum over
-/// all bearings in their equilibrium, plus the contributions of effects on the torque reading. The
-/// value of a row is NaN if the sets have no equilibrium or an effect gives no finite value.
-/// BalancedRows defines the load, preload and temperatures of a row. Throws std::invalid_argument
-/// like BalancedRows.
+/// all bearings, plus the torque that effects of the model add to the sensor reading. The value of
+/// a row is NaN if the sets have no equilibrium or an effect gives no finite value. See
+/// BalancedRows for the load, preload and temperatures of a row. Throws std::invalid_argument in
+/// the same cases as BalancedRows.
 [[nodiscard]] std::vector<double> predict_torque(const Model& model, const record::Record& record);
 
 }  // namespace raceway::shaft

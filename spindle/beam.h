@@ -10,11 +10,13 @@
 
 namespace raceway::spindle {
 
-/// Shear coefficient κ of a circular section with a bore, m = inner/outer diameter [1]:
+/// Returns the shear coefficient κ of a circular section with a bore [1]. m is the ratio of inner
+/// to outer diameter, and ν is Poisson's ratio:
 ///
 ///   κ = 6 (1 + ν)(1 + m²)² / ((7 + 6 ν)(1 + m²)² + (20 + 12 ν) m²)
 ///
-/// Source: Cowper (J Appl Mech 33, 1966, p. 335). Domain: 0 <= m < 1.
+/// Source: Cowper (J Appl Mech 33, 1966, p. 335).
+/// Domain: 0 <= m < 1.
 [[nodiscard]] double shear_coefficient(double diameter_ratio, double poissons_ratio);
 
 /// Section, material and length of one beam element.
@@ -28,14 +30,16 @@ struct BeamElement {
   [[nodiscard]] double area() const;           ///< [m²]
   [[nodiscard]] double second_moment() const;  ///< second moment of area about a diameter [m⁴]
   /// Returns Φ = 12 E I / (κ G A L²), the ratio of shear to bending flexibility of the element [1].
+  /// E and G are the elastic and the shear modulus, I the second moment of area, κ the shear
+  /// coefficient, A the area and L the length.
   [[nodiscard]] double shear_ratio() const;
 };
 
 /// Matrices of one beam element in one plane. The unknowns are (v, θ) at both ends: displacement v
-/// [m] and rotation θ of the section [rad]. Without shear, θ = dv/ds. The mass matrix includes
-/// rotary inertia. `gyroscopic` is 2 N, where N is the matrix of rotary inertia, because the polar
-/// moment of a section is twice the moment about a diameter. The matrices are integrated exactly,
-/// with shape functions that are exact for loads at the nodes.
+/// [m] and rotation θ of the section [rad]. Without shear deformation, θ is the slope dv/ds, where
+/// s is the position along the shaft. The mass matrix includes rotary inertia. `gyroscopic` is 2 N,
+/// where N is the matrix of rotary inertia, because the polar moment of a section is twice the
+/// moment about a diameter. The shape functions are exact for loads at the nodes.
 struct ElementMatrices {
   Eigen::Matrix4d stiffness, mass, gyroscopic;
 };
@@ -69,7 +73,8 @@ struct BeamLoad {
 
 struct BeamMesh {
   double element_length = 5 * mm;  ///< largest length of an element [m]
-  /// Minimum number of elements of the beam. If it is above 0, `element_length` has no effect.
+  /// Minimum number of elements of the beam. If this number is above 0, `element_length` has no
+  /// effect.
   int elements = 0;
 };
 
@@ -79,8 +84,8 @@ struct BeamMesh {
 class Beam {
  public:
   /// Creates nodes at changes of section, disks, supports and the positions `places` [m]. Throws
-  /// std::invalid_argument if a value in an argument is outside its range. The message gives the
-  /// name of the quantity, the value with unit, and the allowed range.
+  /// std::invalid_argument if an input is out of range. The message gives the name of the input,
+  /// the value with unit, and the allowed range.
   Beam(const model::ShaftBody& body, std::span<const double> places, const BeamMesh& mesh = {});
 
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }  ///< [m]
@@ -93,7 +98,8 @@ class Beam {
   [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>& gyroscopic() const { return gyroscopic_; }
-  /// Returns the stiffness matrix of the beam with `springs` at the nodes `places` [m].
+  /// Returns the stiffness matrix of the beam with `springs` at the positions `places` [m], which
+  /// must be nodes.
   [[nodiscard]] Eigen::SparseMatrix<double> held_by(std::span<const double> places,
                                                     std::span<const PlaneSpring> springs) const;
 
@@ -121,7 +127,7 @@ class Beam {
 
 /// Bending of the shaft in one plane under static loads.
 struct Deflection {
-  bool found = false;     ///< false if the shaft can move freely
+  bool found = false;     ///< false if springs and supports do not hold the shaft
   Eigen::VectorXd shape;  ///< displacement v and rotation θ of all nodes [m, rad]
 };
 
@@ -132,19 +138,20 @@ struct Deflection {
                                  std::span<const PlaneSpring> springs,
                                  std::span<const BeamLoad> loads);
 
-/// Beam reduced to a few nodes in one plane. The stiffness matrix refers to displacement v and
-/// rotation θ of these nodes. The elimination of all other nodes is exact in statics.
+/// Beam reduced to selected nodes in one plane. The stiffness matrix refers to displacement v and
+/// rotation θ of these nodes. The reduction is exact for static loads at these nodes.
 class CondensedBeam {
  public:
   CondensedBeam(const Beam& beam, std::vector<std::size_t> nodes);
   [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-  /// Returns (v, θ) of all nodes. `few` contains (v, θ) of the nodes of the reduced beam.
+  /// Returns (v, θ) of all nodes of the original beam. `few` contains (v, θ) of the nodes of the
+  /// reduced beam.
   [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& few) const;
 
  private:
   std::vector<std::size_t> nodes_;
   Eigen::MatrixXd stiffness_;
-  Eigen::MatrixXd follow_;  ///< (v, θ) of all nodes per unit (v, θ) of the nodes that remain
+  Eigen::MatrixXd follow_;
 };
 
 }  // namespace raceway::spindle

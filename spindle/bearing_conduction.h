@@ -10,16 +10,17 @@
 namespace raceway::spindle {
 
 /// Returns a typical thermal conductance from ring to ring through the lubricant of a rotating ball
-/// bearing [W/K]. Add it to the conductance of the ball contacts.
+/// bearing [W/K]. Add this conductance to the conductance of the ball contacts.
 ///
 ///   G = 1650 Z D²      Z balls of diameter D [m]
 ///
 /// Source:   590 Z D² sqrt(7 + ln(ω d_m/(2000 D))) of [Schaefer1993] as implemented in the open
 ///           program Thermca, evaluated at n d_m = 500 000 mm/min. ω is the speed [rad/s], n the
-///           speed in rpm, and d_m the pitch diameter. The source formula includes the ball
-///           contacts, about a tenth of its result. Adding the contacts counts this tenth twice.
-/// Domain:   balls of 5 to 22 mm; within 12 % of the source formula if n d_m is from 200 000 to
-///           2 000 000 mm/min.
+///           speed in rpm, and d_m the pitch diameter. The source formula includes the conductance
+///           of the ball contacts, which is about a tenth of G. The sum of G and the conductance of
+///           the ball contacts is therefore about a tenth too high.
+/// Domain:   balls of 5 to 22 mm. If n d_m is from 200 000 to 2 000 000 mm/min, G differs from the
+///           source formula by at most 12 %.
 /// Accuracy: unknown. For a 7014 bearing, the contact model of [Jungnickel2010] in Thermca gives
 ///           0.6 W/K, and 1650 Z D² gives 4.7 W/K. The value 4.7 W/K agrees with the rule of thumb
 ///           that inner rings are 5 to 10 K warmer than outer rings.
@@ -39,9 +40,10 @@ namespace raceway::spindle {
 ///   G = Z/(R_i + R_o),   R = K(k)/(2 π a) (1/λ_ball + 1/λ_ring) = R(1 N)/Q^(1/3)
 ///
 /// Z is the number of balls, R_i and R_o are the resistances R of the contacts at inner and outer
-/// ring, and λ is a thermal conductivity. K is the complete elliptic integral of the first kind.
-/// Its modulus k, k² = 1 - b²/a², does not depend on the load, because both semi-axes a >= b of the
-/// contact ellipse are proportional to the cube root of the contact load Q.
+/// ring, λ is a thermal conductivity, and R(1 N) is R at a contact load of 1 N. K is the complete
+/// elliptic integral of the first kind. Its modulus k, k² = 1 - b²/a², does not depend on the load,
+/// because both semi-axes a >= b of the contact ellipse are proportional to the cube root of the
+/// contact load Q.
 /// Source:   constriction_resistance() with Hertz's semi-axes; the resistance of the ball itself is
 ///           neglected.
 /// Domain:   loads >= 0. A ball that touches only one race has the conductance 0.

@@ -10,24 +10,27 @@
 
 namespace raceway::spindle {
 
-/// Coupling between the bearings and the cells of the thermal mesh. The vectors s and y contain:
+/// Coupling between the bearings and the cells of the thermal mesh. The vector s (`felt` in the
+/// code) contains the inputs of the bearing calculation. The vector y (`given`) contains the
+/// results of this calculation:
 ///
 ///   felt s    for each bearing, the mean temperatures of inner and outer ring and of the cells
-///             at its two raceways [K]; for each roller bearing also the temperatures of shaft
-///             and housing at its seats [K]; last the elongation of the shaft minus the elongation
-///             of the housing between the sets [um]
+///             at its two raceways [K]; for each roller bearing also the temperatures of shaft and
+///             housing at its seats [K]; last the elongation of the shaft minus the elongation of
+///             the housing between the bearing sets [um]
 ///   given y   heat into the cells at the inner and the outer raceway of each bearing [W]
 ///
 /// Friction heat q arises at the raceways. Heat Q flows from the inner to the outer raceway through
-/// the balls or rollers and the lubricant. A raceway at T_s is warmer than its cells at the mean
-/// temperature a by the temperature drop over half a cell:
+/// the balls or rollers and the lubricant. The raceway temperature T_s is the mean temperature a of
+/// the raceway cells plus the temperature drop over half a cell:
 ///
 ///   T_s = a + w/S,   Q = G (T_si - T_so),   w_i = q_i - Q,   w_o = q_o + Q
 ///
 /// S is the conductance between the raceway and its cells, w is the heat into these cells, and G is
-/// the conductance through balls or rollers and lubricant. The function bear() computes the bearing
-/// loads from radial loads on the shaft with a beam model. These bearing loads are constant between
-/// two calls of bear(). The elongation is in um so that all elements of s have a similar magnitude.
+/// the conductance through balls or rollers and lubricant. The indices i and o denote the inner and
+/// the outer raceway. The function bear() uses a beam model of the shaft to compute the bearing
+/// loads from the radial loads on the shaft. These bearing loads stay constant until the next call
+/// of bear(). The elongation is in um so that all elements of s have a similar magnitude.
 class BearingCoupling {
  public:
   BearingCoupling(const model::Model& model, const effects::SpindleCondition& condition,
@@ -41,12 +44,13 @@ class BearingCoupling {
   [[nodiscard]] Vector felt(const Vector& temperatures) const {
     return felt_ * temperatures + offset_;
   }
-  /// The vector s is F T + s0 with the cell temperatures T. felt_rows() returns F, and
-  /// felt_offset() returns s0.
+  /// The vector s depends linearly on the cell temperatures T: s = F T + s0. felt_rows() returns F,
+  /// and felt_offset() returns s0.
   [[nodiscard]] const SparseMatrix& felt_rows() const { return felt_; }
   [[nodiscard]] const Vector& felt_offset() const { return offset_; }
-  /// Returns, for each raceway in y, the index in s of the mean temperature of its cells. The heat
-  /// is divided among the cells of the raceway with the weights of this mean.
+  /// Returns, for each element of y, the index of an element of s: the mean temperature of the
+  /// cells at the same raceway. The weights of the cells in this mean also divide the heat among
+  /// the cells.
   [[nodiscard]] const std::vector<Eigen::Index>& given_rows() const { return given_rows_; }
   /// Adds the raceway heat y = `given` to the heat flow into each cell [W].
   void add_given(const Vector& given, Vector& inflow) const;
@@ -58,21 +62,24 @@ class BearingCoupling {
   /// Computes the bearing loads from the radial loads on the shaft, for the temperatures in s.
   /// Returns false if shaft and bearings have no equilibrium.
   [[nodiscard]] bool bear(const Vector& felt);
-  /// Returns the bent shaft of the last bear(); null if no load bends the shaft and no roller
-  /// bearing supports it.
+  /// Returns the equilibrium of the bent shaft from the last call of bear(). The result is null if
+  /// no load bends the shaft and no roller bearing supports the shaft.
   [[nodiscard]] const LoadedShaft* shaft() const { return bent_ ? &*bent_ : nullptr; }
-  /// Returns true if a load bends the shaft or a roller bearing supports it. Otherwise bear() has
-  /// no effect.
+  /// Returns true if a load bends the shaft or a roller bearing supports the shaft. Otherwise
+  /// bear() has no effect.
   [[nodiscard]] bool bends() const { return shaft_.has_value(); }
-  /// Returns the axial position of the cold shaft at standstill under the belt load only [m].
+  /// Returns the axial position of the cold shaft at standstill under the belt load alone [m].
   [[nodiscard]] double rest() const { return sets_.rest() + bent_rest_; }
   [[nodiscard]] std::size_t bearings() const { return inner_raceway_.size(); }
-  /// Returns temperatures, forces and friction of bearing b at s. Call evaluate() for this s first.
+  /// Returns temperatures, forces and friction of bearing b for the inputs s = `felt`. Call
+  /// evaluate() with this s first.
   [[nodiscard]] BearingState state(std::size_t b, const Vector& felt) const;
-  /// Computes the raceway heat y for s. Returns false if the bearing sets have no equilibrium.
+  /// Computes the raceway heat y = `given` for the inputs s = `felt`. Returns false if the bearing
+  /// sets have no equilibrium.
   [[nodiscard]] bool evaluate(const Vector& felt, Vector& given);
-  /// Computes dy/ds by finite differences about the last evaluated s. Returns false if the bearing
-  /// sets have no equilibrium at an s of the finite differences.
+  /// Computes the matrix dy/ds by finite differences. s = `felt` contains the inputs, and y =
+  /// `given` is the raceway heat for these inputs. Call evaluate() with this s first. Returns false
+  /// if the bearing sets have no equilibrium at s or near it.
   [[nodiscard]] bool differentiate(const Vector& felt, const Vector& given, Matrix& jacobian);
 
  private:

@@ -7,8 +7,9 @@
 
 namespace raceway::spindle {
 
-/// Solves A T = r with A = capacity_factor C + G for the temperatures T of all bodies. C contains
-/// the heat capacities and G the thermal conductances.
+/// Solves A T = r with A = capacity_factor C + G for the temperatures T of all bodies. C is the
+/// diagonal matrix of heat capacities, G the matrix of thermal conductances, and r the given
+/// right-hand side.
 ///
 /// A is factorised as L D Lᵀ. The constructor finds an order of the bodies in which L has few
 /// nonzero elements. first_half() does the forward substitution, and second_half() does the back
@@ -16,33 +17,33 @@ namespace raceway::spindle {
 ///
 ///   uᵀ A⁻¹ r = (L⁻¹ u)ᵀ D⁻¹ (L⁻¹ r)
 ///
-/// with a vector u needs only forward substitutions. The forward substitution of u is short if only
-/// a few elements of u are not zero.
+/// for a given vector u needs no back substitution.
 /// Accuracy: rounding errors only; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:
-  /// Finds the order of elimination. After the construction, only the conductances in `paths` may
-  /// change.
+  /// Finds the order of elimination for the bodies and heat paths in `paths`. Later calls of
+  /// factorise() may have other conductances, but must have the same bodies and heat paths.
   explicit ConductanceSolver(const HeatPaths& paths);
-  /// Factorises A. Returns false if A is not positive definite: a body has neither heat capacity
-  /// nor a path for heat to leave, or a number is not finite.
+  /// Factorises A. Returns false if A is not positive definite. This is the case if a body has
+  /// neither heat capacity nor a path by which heat can leave, or if a value is not finite.
   [[nodiscard]] bool factorise(const HeatPaths& paths, double capacity_factor);
   [[nodiscard]] Vector solve(const Vector& right) const {
     return second_half(first_half(in_order(right)));
   }
 
-  /// Returns right-hand sides with the bodies in the order of elimination.
+  /// Returns `right` with its rows (one for each body) in the order of elimination.
   template <typename Right>
   [[nodiscard]] Right in_order(const Right& right) const {
     return order_ * right;
   }
-  /// Returns L⁻¹ r for each column r of right-hand sides in the order of elimination.
+  /// Forward substitution: returns L⁻¹ r for each column r of `in_order`, the result of in_order().
   template <typename Right>
   [[nodiscard]] Right first_half(Right in_order) const {
     ldlt_.matrixL().solveInPlace(in_order);
     return in_order;
   }
-  /// Returns A⁻¹ r, where `first` is L⁻¹ r.
+  /// Back substitution: returns the solution T = A⁻¹ r. `first` is the result L⁻¹ r of
+  /// first_half().
   [[nodiscard]] Vector second_half(const Vector& first) const {
     Vector in_order = inverse_.cwiseProduct(first);
     ldlt_.matrixU().solveInPlace(in_order);
@@ -52,7 +53,7 @@ class ConductanceSolver {
   [[nodiscard]] const Vector& inverse() const { return inverse_; }
 
  private:
-  /// Indices of the matrix values to which a heat path adds its conductance.
+  /// Indices of the nonzero elements of A to which one heat path adds its conductance.
   struct LinkPlaces {
     Eigen::Index first, second, off;
   };

@@ -21,6 +21,7 @@ struct RoughContact {
 ///
 ///   1/h = 0.46 (Ra/m)(1/λ1 + 1/λ2)(p/H)^-0.93
 ///
+/// h is the conductance, and p the pressure; RoughContact defines the other symbols.
 /// Source:   [Brecher2021, eq. 4], with Ra in m.
 /// Domain:   p/H below about 0.02; the result is zero for a pressure p <= 0.
 /// Accuracy: within 3 % of yovanovich_contact() from 1 to 10 MPa; measured conductances of seats
@@ -37,9 +38,9 @@ struct RoughContact {
 ///
 /// RoughContact defines λ1, λ2, m, Ra and H. p is the pressure.
 /// Source:   Yovanovich's fit to Cooper, Mikic and Yovanovich (Int J Heat Mass Transfer 12, 1969,
-///           p. 279), whose own formula has the factor 1.45 and the exponent 0.985. Ra replaces the
-///           rms roughness.
-/// Domain:   as for solid_contact().
+///           p. 279), whose own formula has the factor 1.45 and the exponent 0.985. This formula
+///           uses Ra in place of the rms roughness.
+/// Domain:   p/H below about 0.02; the result is zero for a pressure p <= 0.
 [[nodiscard]] inline double yovanovich_contact(const RoughContact& c, double pressure) {
   if (!(pressure > 0.0)) return 0.0;
   const double mean = 2.0 * c.first_conductivity * c.second_conductivity /
@@ -58,7 +59,7 @@ inline constexpr double gap_conductivity = 0.027;
 }
 
 /// Returns the thermal conductance of a seat [W/(m² K)], with contact spots and air gap in
-/// parallel. A tight seat has the gap 0 m, and a loose seat has the pressure 0 Pa.
+/// parallel. For a tight seat, `gap` is 0; for a loose seat, `pressure` is 0.
 [[nodiscard]] inline double seat_conductance(const RoughContact& c, double pressure, double gap) {
   return solid_contact(c, pressure) + gas_gap(c.roughness, gap);
 }
@@ -69,8 +70,8 @@ inline constexpr double gap_conductivity = 0.027;
 ///   R = K(k)/(2 π a) (1/λ1 + 1/λ2),   k² = 1 - b²/a²,   a >= b semi-axes
 ///
 /// K is the complete elliptic integral of the first kind with modulus k.
-/// Source:   isothermal ellipse, from the capacitance of an elliptic disc. For a circle of radius
-///           a, each body has the resistance 1/(4 λ a).
+/// Source:   derived for an isothermal contact ellipse from the electrical capacitance of an
+///           elliptic disc. For a circle of radius a, each body has the resistance 1/(4 λ a).
 /// Domain:   semi-axes in either order; the result is infinite if one semi-axis is zero.
 [[nodiscard]] double constriction_resistance(double semi_axis, double other_semi_axis,
                                              double first_conductivity, double second_conductivity);

@@ -18,14 +18,17 @@ struct HeatedLength {
 /// Returns the free thermal elongation, the sum of α ΔT times length over all `lengths` [m].
 [[nodiscard]] double free_elongation(std::span<const HeatedLength> lengths);
 
-/// Computes the displacements `nodes` of the ends of all sections in a bar that is fixed at its
-/// left end [m]. Substitute forces E A α ΔT pull at both ends of each section. `nodes` has one
-/// element more than `lengths`. Its last element is the free elongation, whatever the stiffness.
+/// Computes the axial displacements of the section ends, `nodes`, in a bar that is fixed at its
+/// left end [m]. Thermal expansion is replaced by forces E A α ΔT, which pull at both ends of each
+/// section. E, A, α and ΔT are the elastic modulus, area, thermal expansion coefficient and
+/// temperature rise of the section. `nodes` has one element more than `lengths`. The last element
+/// is the free elongation, which does not depend on the stiffness.
 /// Source: [Brecher2021, 3.1].
 void displace_by_substitute_forces(std::span<const HeatedLength> lengths, std::span<double> nodes);
 
 /// Returns the axial force N = -∫ α ΔT ds / ∫ ds/(E A) in a bar fixed at both ends, positive in
-/// tension [N]. For a constant cross-section, N = -E A α mean(ΔT).
+/// tension [N]. s is the axial position, and the other symbols are the members of HeatedLength. For
+/// a constant cross-section, N = -E A α mean(ΔT).
 [[nodiscard]] double force_if_held(std::span<const HeatedLength> lengths);
 
 }  // namespace raceway::spindle

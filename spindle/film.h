@@ -7,8 +7,9 @@
 #include "record/units.h"
 
 /// Computes heat transfer between solids and flowing fluids. Most functions contain one correlation
-/// and return a heat transfer coefficient [W/(m² K)]. The results are finite and not negative, also
-/// for equal temperatures of solid and fluid.
+/// and return a heat transfer coefficient h [W/(m² K)]. Nu is the Nusselt number, Re the Reynolds
+/// number, and Pr the Prandtl number. The results are finite and not negative, also for equal
+/// temperatures of solid and fluid.
 namespace raceway::spindle {
 
 /// Thermal properties and viscosity of a fluid at one temperature.
@@ -25,9 +26,10 @@ struct FluidProperties {
 ///
 ///   μ = 1.458e-6 T^1.5/(T + 110.4),   λ = 2.64638e-3 T^1.5/(T + 245.4 10^(-12/T))
 ///
-/// Source:   Sutherland's formulas with the constants of the US Standard Atmosphere 1976; ideal
-///           gas, c = 1006 J/(kg K).
-/// Domain:   T from 200 to 600 K. Outside this range, the nearer limit replaces T.
+/// Source:   Sutherland's formulas with the constants of the US Standard Atmosphere 1976. Air is
+///           treated as an ideal gas with the heat capacity c = 1006 J/(kg K).
+/// Domain:   T from 200 to 600 K. Outside this range, the function uses the nearer limit instead of
+///           T.
 /// Accuracy: 1 % for viscosity and conductivity, 0.5 % for the heat capacity c below 400 K.
 [[nodiscard]] inline FluidProperties air_properties(double temperature) {
   constexpr double pressure = 1e5, gas_constant = 287.05, heat_capacity = 1006.0;
@@ -150,19 +152,18 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
   return root * root * 0.5 * (inner_radius + outer_radius) * gap * gap * gap;
 }
 
-/// Returns the thermal conductance of the gap δ between a rotating and a fixed cylinder [W/(m² K)].
-/// The conductance is the heat flow between both surfaces per kelvin and per area at the mean
+/// Returns the thermal conductance h of the gap δ between a rotating and a fixed cylinder [W/(m²
+/// K)]. The conductance is the heat flow between both surfaces per kelvin and per area at the mean
 /// radius.
 ///
 ///   h = Nu λ/(2 δ);   Nu = 2,   0.128 Ta^0.367 if Ta > 1700,   0.409 Ta^0.241 if Ta > 1e4
 ///
 /// λ is the conductivity of the gas, and Ta is taylor_number().
-/// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). Nu is defined with the length 2 δ
-///           and the temperatures of both surfaces. A program that computes h from λ/δ instead of
-///           λ/(2 δ) gets twice the conductance.
+/// Source:   Becker and Kaye (J Heat Transfer 84, 1962, p. 97). The characteristic length of Nu is
+///           2 δ, and its temperature difference is the difference between both surfaces.
 /// Domain:   no axial flow. The published law jumps by 2 % at Ta = 1700 and by 0.1 % at Ta = 1e4.
-///           This function is continuous, because a jump could prevent convergence: it changes from
-///           formula to formula where the formulas intersect, at Ta = 1790 and 1.01e4.
+///           This function has no jumps, because the change between two formulas is at the Taylor
+///           number for which both formulas give the same result (1790 and 1.01e4).
 /// Accuracy: about 15 % for smooth surfaces.
 [[nodiscard]] inline double annular_gap(double inner_radius, double outer_radius, double speed,
                                         const FluidProperties& gas) {
@@ -177,7 +178,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///
 ///   Re <= 2300   (3.66³ + 0.7³ + (1.615 (Re Pr d/l)^(1/3) - 0.7)³)^(1/3)
 ///   Re >= 4000   (ξ/8) Re Pr/(1 + 12.7 (ξ/8)^(1/2) (Pr^(2/3) - 1)) (1 + (d/l)^(2/3)),
-///                ξ = (1.8 lg Re - 1.5)^-2;      linear in Re between
+///                ξ = (1.8 lg Re - 1.5)^-2;      linear in Re from 2300 to 4000
 ///
 /// Source:   VDI-Wärmeatlas 2002, G1 (uniform wall temperature; Gnielinski). The formula was not
 ///           checked against the printed edition. Gnielinski's older formula, which contains Re -
@@ -208,15 +209,15 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// shorter to the longer side.
 ///
 ///   Re <= 2300   96 (1 - 1.3553 a + 1.9467 a² - 1.7012 a³ + 0.9564 a⁴ - 0.2537 a⁵)/Re
-///   Re >= 4000   (1.8 lg Re - 1.5)^-2;      linear in Re between
+///   Re >= 4000   (1.8 lg Re - 1.5)^-2;      linear in Re from 2300 to 4000
 ///
-/// Source:   Shah and London 1978 (laminar), Konakov 1946 as in channel_nusselt().
+/// Source:   Shah and London 1978 (laminar); Konakov 1946 (turbulent, the formula of ξ in
+///           channel_nusselt()).
 /// Domain:   Re > 0, 0 < a <= 1, straight and smooth channel.
 /// Accuracy: the factor agrees with tables within 0.1 % in laminar flow, and with Prandtl's law of
-///           smooth pipes within 1.5 % up to Re = 1e6. A helical channel has a larger factor. The
-///           secondary flow in the helix increases the factor by some tens of percent in turbulent
-///           flow. The increase by a helix is several times larger in laminar than in turbulent
-///           flow.
+///           smooth pipes within 1.5 % up to Re = 1e6. The secondary flow in a helical channel
+///           increases the factor by some tens of percent in turbulent flow. In laminar flow, the
+///           increase is several times larger than in turbulent flow.
 [[nodiscard]] inline double channel_friction(double reynolds, double aspect) {
   const auto laminar = [&](double re) {
     const double a = aspect;
@@ -240,7 +241,8 @@ struct Channel {
   double section = unset;             ///< area w d of the section [m²]
   double hydraulic_diameter = unset;  ///< 2 w d/(w + d) [m]
   double length = unset;              ///< length of the helix [m]
-  /// Returns Re = v d_h/ν for a flow [m³/s].
+  /// Returns Re = v d_h/ν for a flow [m³/s], with mean velocity v, hydraulic diameter d_h and
+  /// kinematic viscosity ν.
   [[nodiscard]] double reynolds(double flow, const FluidProperties& fluid) const {
     return flow / section * hydraulic_diameter / fluid.kinematic_viscosity;
   }
@@ -262,8 +264,9 @@ struct Channel {
 }
 
 /// Returns the heat transfer coefficient at the channel walls for a mean coolant temperature in K
-/// [W/(m² K)]. If the coolant is off or has no flow, the result is the coefficient `stagnant` of
-/// standing fluid. A flowing coolant never has a smaller coefficient than standing fluid.
+/// [W/(m² K)]. If the coolant is off or has no flow, the result is `stagnant`, the coefficient that
+/// the model gives for standing fluid. A flowing coolant never has a smaller coefficient than
+/// standing fluid.
 [[nodiscard]] inline double coolant_film(const model::Coolant& c, double temperature, bool on) {
   if (!on || !(c.flow > 0.0)) return c.stagnant;
   return std::max(c.stagnant, channel_of(c).film(c.flow, fluid_properties(c.fluid, temperature)));
@@ -288,12 +291,13 @@ struct ChannelFlow {
   double reynolds = unset;       ///< [1]
   double film = unset;           ///< heat transfer coefficient [W/(m² K)]
   double pressure_drop = unset;  ///< pressure drop of the channel [Pa]
-  double throttle_drop = 0.0;    ///< pressure drop of an orifice behind the channel [Pa]; 0: none
+  /// Pressure drop of an orifice behind the channel [Pa]; 0 without an orifice.
+  double throttle_drop = 0.0;
 };
 
 /// Computes velocity, heat transfer and pressure drops at a mean temperature of the coolant [K].
 ///
-///   Δp = ξ (l/d_h) ρ v²/2;   throttle  Δp = ρ/2 (V/(0.61 A))²
+///   channel  Δp = ξ (l/d_h) ρ v²/2;   orifice  Δp = ρ/2 (V/(0.61 A))²
 ///
 /// ξ is channel_friction(), l and d_h are length and hydraulic diameter of the channel, ρ is the
 /// density, v the mean velocity, V the flow, and A the area of the orifice.
@@ -337,8 +341,8 @@ struct ChannelFlow {
 ///
 ///   1/ε = 1/ε_i + (r_i/r_o)(1/ε_o - 1)
 ///
-/// ε is the effective emissivity for radiation(). The indices i and o denote the inner and the
-/// outer cylinder, and r is a radius.
+/// ε is the effective emissivity in the formula of radiation(). The indices i and o denote the
+/// inner and the outer cylinder, and r is a radius.
 /// Domain:   emissivities above 0.
 [[nodiscard]] inline double radiation_of_gap(double inner_radius, double outer_radius,
                                              double inner_emissivity, double outer_emissivity,

@@ -23,8 +23,10 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 ///
 ///   C_i dT_i/dt = sum G_ij (T_j - T_i) + sum G_ir (T_r - T_i) + q_i
 ///
-/// C_i is a heat capacity, G a thermal conductance, and q_i the heat of the sources in body i.
-/// After the construction of a solver, conductances may change, but paths must not be added.
+/// T_i is the temperature of body i, C_i its heat capacity, G a thermal conductance, and q_i the
+/// heat of the sources in the body.
+/// A solver stores which paths exist: after its construction you may change conductances, but not
+/// add paths.
 struct HeatPaths {
   struct Link {
     int first, second;
@@ -34,7 +36,7 @@ struct HeatPaths {
     int node;
     Reservoir reservoir;
     double conductance;  ///< [W/K]
-    double above = 0.0;  ///< added to the temperature of the reservoir [K]
+    double above = 0.0;  ///< temperature at the outlet minus temperature of its reservoir [K]
     [[nodiscard]] double outside(const std::array<double, reservoirs>& temperature) const {
       return temperature[static_cast<std::size_t>(reservoir)] + above;
     }
@@ -43,7 +45,7 @@ struct HeatPaths {
   Vector source;    ///< heat sources, independent of temperatures [W]
   std::vector<Link> links;
   std::vector<Outlet> outlets;
-  /// temperature of each reservoir [K]
+  /// Temperature of each reservoir [K].
   std::array<double, reservoirs> temperature{unset, unset, unset};
 
   [[nodiscard]] Eigen::Index size() const { return capacity.size(); }

@@ -10,10 +10,10 @@ namespace raceway::spindle {
 /// Heat path from a cell to another cell, to a fluid or to the surroundings.
 struct Joint {
   int first = -1;
-  int second = -1;      ///< index of the second cell; -1: fluid or surroundings
+  int second = -1;      ///< index of the second cell; -1 for a fluid or the surroundings
   double area = unset;  ///< [m²]
-  double half = 0.0;    ///< sum of the thermal resistances from cell middles to joint [K/W]
-  bool axial = false;   ///< true: open face normal to the axis; false for all other joints
+  double half = 0.0;    ///< sum of the thermal resistances from the cells to the joint [K/W]
+  bool axial = false;   ///< true for an open face normal to the axis, false for all other joints
 };
 using Joints = std::vector<Joint>;
 
@@ -30,16 +30,18 @@ using Shares = std::vector<Share>;
 
 /// Position and dimensions of one bearing, and its cells in the mesh.
 struct BearingPlace {
-  double position = unset, width = unset;  ///< centre behind the nose face, and width [m]
+  /// Distance of the bearing centre behind the nose face, and width of the bearing [m].
+  double position = unset, width = unset;
   double seat_bore = unset, seat = unset;  ///< radii of shaft bore and shaft seat [m]
   double inner_shoulder = unset, outer_shoulder = unset;  ///< shoulder radii [m]
-  double housing_seat = unset, housing_outer = unset;     ///< radii of bore and outer surface [m]
+  /// Radii of housing bore and outer surface of the housing [m].
+  double housing_seat = unset, housing_outer = unset;
   /// Diametral interference on the shaft and diametral clearance in the housing, cold and at
   /// standstill [m].
   double inner_interference = unset, outer_clearance = unset;
   Joints inner_seat, outer_seat;
   Joints inner_raceway, outer_raceway;  ///< heat paths from ring cells to the raceway
-  Shares inner_ring, outer_ring;        ///< weights of cells in the mean ring temperatures
+  Shares inner_ring, outer_ring;        ///< weights of the cells for the mean ring temperatures
   Shares shaft_below, housing_above;    ///< weights of shaft and housing cells at the seats
 };
 
@@ -47,10 +49,10 @@ struct BearingPlace {
 /// another ring. The face between two rings is listed once, as the rear face of the front ring.
 struct ClampedFace {
   int bearing = -1;      ///< index of the bearing in Layout::bearings
-  bool inner = true;     ///< true: inner ring
-  bool rear = false;     ///< true: rear face
+  bool inner = true;     ///< true for an inner ring, false for an outer ring
+  bool rear = false;     ///< true for a rear face, false for a front face
   double force = unset;  ///< [N]
-  Joints joints;         ///< heat paths through the face, ring cell first
+  Joints joints;         ///< heat paths through the face; `first` is the ring cell
 };
 
 /// Cells, joints and dimensions of a spindle that do not depend on the operating point.
@@ -59,16 +61,17 @@ struct Layout {
   std::vector<BearingPlace> bearings;  ///< in the order front set, rear set, roller bearings
   Joints shoulders, collars;
   /// Joints between spacers and inner rings; empty if the model gives the clamping force of the
-  /// inner rings.
+  /// inner rings, because `faces` then contains these joints.
   Joints clamped;
   std::vector<ClampedFace> faces;  ///< side faces of rings with clamping force
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
-  std::vector<Joints> coolant_walls;  ///< walls of each channel in model::Spindle::channels()
+  /// Walls of each coolant channel, in the order of model::Spindle::channels().
+  std::vector<Joints> coolant_walls;
   /// Positions of the front face of the first bearing and of the rear face of the last bearing [m].
   double first_bearing_front = unset, last_bearing_rear = unset;
   double housing_start = unset, housing_end = unset;  ///< [m]
-  /// positions of the centres of the bearing sets [m]; `rear_centre` is NaN without a rear set
+  /// Positions of the centres of the bearing sets [m]; `rear_centre` is NaN without a rear set.
   double front_centre = unset, rear_centre = unset;
 
   /// Returns the material of the first cell in `seat`.

@@ -16,24 +16,25 @@ struct ShaftLoad {
   double position = 0.0;  ///< distance behind the nose face [m]
   double axial = 0.0;     ///< positive towards the tool [N]
   /// Forces [N] and moments [N m] in the planes of y and z. A moment is positive in the direction
-  /// of θ = dv/ds.
+  /// of the slope θ = dv/ds, with the deflection v and the distance s behind the nose face.
   double radial = 0.0, radial_z = 0.0, moment = 0.0, moment_z = 0.0;
   [[nodiscard]] bool pushes_across() const {
     return radial != 0.0 || radial_z != 0.0 || moment != 0.0 || moment_z != 0.0;
   }
 };
 
-/// Cylindrical roller bearing that supports the shaft in addition to the bearing sets. The bearing
-/// lets the shaft move axially.
+/// Cylindrical roller bearing that supports the shaft in addition to the bearing sets. The shaft
+/// can move axially in this bearing.
 struct RollerSupport {
   const bearing::RollerBearing* bearing = nullptr;
   double position = unset;  ///< distance behind the nose face [m]
 };
 
-/// All bearings that support a shaft. The struct stores pointers, so the bearings must outlive it.
+/// All bearings that support a shaft. The struct stores pointers, so the bearings must exist as
+/// long as the struct.
 struct ShaftBearings {
-  /// Null if the shaft has no bearing sets. The shaft then has no axial support, and it is assumed
-  /// that the shaft does not move axially.
+  /// Null if the shaft has no bearing sets. Such a shaft has no axial support; the calculation then
+  /// assumes that the shaft does not move axially.
   const bearing::Arrangement* sets = nullptr;
   std::vector<double> places = {};  ///< centres of the bearings in the sets, front set first [m]
   std::vector<RollerSupport> rollers = {};
@@ -42,8 +43,8 @@ struct ShaftBearings {
 /// Equilibrium of a bent shaft on its bearings. If the solver did not converge, only `report` is
 /// valid.
 struct LoadedShaft {
-  /// Axial position of the shaft, zero as mounted, positive towards the tool [m]. Without bearing
-  /// sets, position and axial forces are NaN.
+  /// Axial displacement of the shaft from its mounted position, positive towards the tool [m].
+  /// Without bearing sets, position and axial forces are NaN.
   double position = unset;
   /// Axial compression of the rear set [m]; NaN without a rear set.
   double rear_displacement = unset;
@@ -63,21 +64,22 @@ struct LoadedShaft {
 
 class ShaftBalance5;
 
-/// Elastic shaft on all its bearings, under loads at several positions. The class solves the
+/// Elastic shaft on all its bearings, under loads at several positions. Use this class to solve the
 /// problem of solve_loaded_shaft() repeatedly. Each solution starts from the previous solution.
 /// Several threads must not use one object simultaneously.
 class ShaftOnBearings {
  public:
-  /// The positions of bearings and loads [m] must be nodes of the beam. The beam is not needed
-  /// after construction. Throws std::invalid_argument if a node is missing, or if the number of
-  /// `held.places` differs from the number of bearings in the sets.
+  /// The positions of bearings and loads [m] must be nodes of the beam. The object does not refer
+  /// to `beam` after construction. Throws std::invalid_argument if a node is missing, or if the
+  /// number of `held.places` differs from the number of bearings in the sets.
   ShaftOnBearings(const Beam& beam, ShaftBearings held, std::span<const double> load_places);
   ShaftOnBearings(ShaftOnBearings&&) noexcept;
   ~ShaftOnBearings();
 
   /// Returns the equilibrium under these loads. `clearances` contains the diametral clearance of
-  /// each roller bearing [m]. Loads act at the `load_places` of the constructor, in the same order.
-  /// `unbent` is the equilibrium of the bearing sets under axial loads only; null if unknown.
+  /// each roller bearing [m]. The loads act at the `load_places` of the constructor, in the same
+  /// order. `unbent` is the equilibrium of the bearing sets under axial loads only; null if
+  /// unknown.
   [[nodiscard]] LoadedShaft solve(const bearing::ArrangementCondition& condition,
                                   std::span<const double> clearances,
                                   std::span<const ShaftLoad> loads,
@@ -86,15 +88,11 @@ class ShaftOnBearings {
 
  private:
   std::unique_ptr<ShaftBalance5> balance_;
-  Eigen::VectorXd last_;  ///< unknowns of the last equilibrium; empty if there is none
+  Eigen::VectorXd last_;  ///< unknowns of the last equilibrium; empty before the first one
 };
 
-/// Finds the equilibrium of the elastic shaft and the bearings in its sets under one load. Each
-/// bearing has five degrees of freedom. Newton's method solves for the axial positions of shaft and
-/// rear set, and for the deflection v and slope θ at bearings and load in two planes. The beam is
-/// reduced to the nodes of bearings and load, and the balls are in equilibrium at every evaluation.
-/// The method starts from the equilibrium under the axial load only. If this start fails, the
-/// radial load is increased from zero in steps. Between the bearing sets, the shaft has the axial
+/// Finds the equilibrium of an elastic shaft and its bearing sets under a load at one position.
+/// Each bearing has five degrees of freedom. Between the bearing sets, the shaft has the axial
 /// stiffness given in the arrangement.
 ///
 /// Domain:   `places` contains the centres of the bearings, front set first [m]. Each bearing
@@ -114,17 +112,18 @@ class ShaftOnBearings {
 /// the front set of an O or tandem arrangement, and for the rear set of an X arrangement.
 [[nodiscard]] bool presses_rearwards(const bearing::Arrangement& arrangement, std::size_t i);
 
-/// Returns the tangent stiffness of the bearings as springs of the beam. K(y, θz) is the element of
-/// a bearing's stiffness matrix for the force in y and the tilt about z. The coupling of force and
-/// tilt is +K(y, θz) if the preload presses the inner ring to the rear, otherwise -K(y, θz). In the
-/// plane of z, -K(z, θy) replaces K(y, θz). At speed, K(y, θz) and K(θz, y) differ by 1 to 2 %;
-/// their mean is used.
+/// Returns the tangent stiffness of the bearings as springs for the beam calculation. K(y, θz) is
+/// the element of a bearing's stiffness matrix for the force in y and the tilt about z. The
+/// coupling of force and tilt is +K(y, θz) if the preload presses the inner ring to the rear,
+/// otherwise -K(y, θz). In the plane of z, -K(z, θy) replaces K(y, θz). At speed, K(y, θz) and
+/// K(θz, y) differ by 1 to 2 %; the mean of both is used.
 [[nodiscard]] std::vector<Spring> bearing_springs(
     const bearing::Arrangement& arrangement, std::span<const double> places,
     std::span<const bearing::BearingEquilibrium> bearings);
 
-/// Returns the tangent stiffness of a roller bearing as a spring of the beam. The coupling between
-/// the planes of y and z, which arises only for loads outside both planes, is neglected.
+/// Returns the tangent stiffness of a roller bearing as a spring for the beam calculation. The
+/// coupling between the planes of y and z, which arises only for loads outside both planes, is
+/// neglected.
 [[nodiscard]] Spring roller_spring(double position, const bearing::RollerEquilibrium& rollers);
 
 }  // namespace raceway::spindle

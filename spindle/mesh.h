@@ -12,15 +12,16 @@ enum class Body { shaft, inner_ring, outer_ring, spacer, housing };
 /// Ring-shaped or cylindrical body of one material with a rectangular section.
 struct Region {
   Body body = Body::shaft;
-  int bearing = -1;  ///< index of the bearing, front set first; -1: not a bearing ring
+  int bearing = -1;  ///< index of the bearing, front set first; -1 for other bodies
   double start = unset, end = unset;  ///< distance behind the nose face [m]
   /// Inner and outer radius [m]; the inner radius of a solid cylinder is 0.
   double inner_radius = unset, outer_radius = unset;
   model::SolidMaterial material = model::steel_of_shafts;
-  double solid_share = 1.0;  ///< solid share of the section; the rest is coolant channel [1]
+  /// Solid fraction of the cross-section [1]; the remaining section is coolant channel.
+  double solid_share = 1.0;
 };
 
-/// Cell of the mesh, which is a region or a part of a region.
+/// Cell of the mesh: a whole region or a part of a region.
 struct Cell : Region {
   int region = -1;
   int column = -1, row = -1;  ///< axial index (column) and radial index (row) in the grid
@@ -48,7 +49,7 @@ struct Touch {
   double first_half = unset, second_half = unset;
 };
 
-/// Face of a cell that has no neighbour at this face.
+/// Face of a cell without a neighbouring cell.
 struct OpenFace {
   int cell = -1;
   enum class Side { front, rear, inner, outer } side = Side::outer;

@@ -19,12 +19,14 @@ enum class Whirl { backward, standing, forward };
 struct Mode {
   double frequency = unset;  ///< undamped angular frequency [rad/s]
   Whirl whirl = Whirl::standing;
-  /// Amplitudes (v, θ) of all nodes in the planes of y and z. The motion is v_y = y cos ωt and
-  /// v_z = z sin ωt. The largest displacement amplitude of a node in one plane is 1.
+  /// Amplitudes (v, θ) of all nodes in the planes of y and z. With the mode frequency ω, the motion
+  /// is `y` cos ωt in the plane of y and `z` sin ωt in the plane of z. The amplitudes are scaled so
+  /// that the largest deflection amplitude of all nodes, in both planes, is 1.
   Eigen::VectorXd y, z;
 };
 
-/// Outcome of a search for modes. `not_held` means that the shaft can move freely.
+/// Outcome of a search for modes. `not_held` means that the shaft can move freely, because springs
+/// and supports do not hold it.
 enum class ModesStatus { not_run, converged, not_held, not_converged };
 
 struct Modes {
@@ -33,17 +35,19 @@ struct Modes {
   [[nodiscard]] bool converged() const { return status == ModesStatus::converged; }
 };
 
-/// Finds the lowest modes of a rotating shaft on springs, without damping. With the mass matrix M,
-/// the gyroscopic matrix G and the deflection v + i w = q e^{iωt}, isotropic springs give
+/// Finds the first `count` undamped modes of a rotating shaft on springs, in ascending order of
+/// frequency. v and w are the deflections in the planes of y and z. For isotropic springs, the
+/// equation of the node displacements q is
 ///
-///   (-ω² M + ω Ω G + K) q = 0,   ω > 0 forward, ω < 0 backward.
+///   (-ω² M + ω Ω G + K) q = 0,   v + i w = q e^{iωt},   ω > 0 forward, ω < 0 backward.
 ///
-/// Ω is the speed, and K is the stiffness matrix. Anisotropic springs couple forward and backward
-/// whirl. For these springs, the amplitudes are a and b with v = a e^{iωt} and w = -i b e^{iωt}, so
-/// that the matrices remain real and symmetric. For isotropic and anisotropic springs, Lanczos
-/// iterations solve the linear eigenvalue problem B x = (1/ω) A x for the largest |1/ω|. x contains
-/// the amplitudes and ω times the amplitudes. B consists of M and Ω G. A = diag(K, M) is positive
-/// definite.
+/// M, G and K are the mass, gyroscopic and stiffness matrices, and Ω is the speed. If the springs
+/// are anisotropic, forward and backward whirl are coupled. Each mode then has different amplitudes
+/// a and b in the two planes:
+///
+///   v = a e^{iωt},   w = -i b e^{iωt}
+///
+/// Lanczos iterations solve the eigenvalue problem.
 ///
 /// Domain:   speed >= 0 [rad/s]; springs at nodes of the beam, with principal planes parallel to y
 ///           and z. Throws std::invalid_argument if `count` is below 1 or a spring is not at a
@@ -54,9 +58,9 @@ struct Modes {
 [[nodiscard]] Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed,
                                int count = 6);
 
-/// Finds the modes at each speed [rad/s], with a list of springs for each speed. The speeds are
-/// computed in parallel. Throws std::invalid_argument if the numbers of speeds and spring lists
-/// differ.
+/// Finds the first `count` modes at each speed [rad/s]. `springs` contains a list of springs for
+/// each speed. The modes at different speeds are computed in parallel. Throws std::invalid_argument
+/// if the numbers of speeds and spring lists differ.
 [[nodiscard]] std::vector<Modes> campbell(const Beam& beam, std::span<const double> speeds,
                                           std::span<const std::vector<Spring>> springs,
                                           int count = 6);

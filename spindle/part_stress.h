@@ -27,7 +27,7 @@ struct RoundPart {
 /// Returns the stresses of a part at the radii of its temperature profile. The part is in
 /// generalised plane strain without axial force.
 ///
-///   heat      J(r) = ∫ T r dr from a,   k = E α/(1 - ν)
+///   heat      J(r) = ∫ T r dr from a to r,   k = E α/(1 - ν)
 ///             σr = k ((r² - a²)/(b² - a²) J(b) - J(r))/r²
 ///             σθ = k (((r² + a²)/(b² - a²) J(b) + J(r))/r² - T),   σz = k (2 J(b)/(b² - a²) - T)
 ///   fit       σr, σθ = (p_a a² - p_b b² -/+ (p_a - p_b) a² b²/r²)/(b² - a²),   σz = 0
@@ -35,10 +35,11 @@ struct RoundPart {
 ///             σθ = c (a² + b² + a² b²/r² - (1 + 2ν)/(3 - 2ν) r²)
 ///             σz = ρ ω² ν/(2 (1 - ν)) ((a² + b²)/2 - r²)
 ///
-/// a and b are the radii of bore and outer surface, with the pressures p_a and p_b. T is the
-/// temperature, E, ν, α and ρ are material data, and ω is the speed. The stresses of heat, fit and
-/// rotation are added. The sum is exact although press_fit() assumes plane stress: an axial stress
-/// without resultant force does not change the radial growth of bore and outer surface.
+/// The sign -/+ is - for σr and + for σθ. a and b are the radii of bore and outer surface, with the
+/// pressures p_a and p_b. T is the temperature, E, ν, α and ρ are material data, and ω is the
+/// speed. The stresses of heat, fit and rotation are added. Pressures from press_fit() are valid
+/// here although press_fit() assumes plane stress, because an axial stress without resultant force
+/// does not change the radial growth of bore and outer surface.
 /// Source:   heat: Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152; fit:
 ///           Lamé's equations; rotation: the equations of a long rotating cylinder (plane strain).
 /// Domain:   sections several wall thicknesses away from ends, steps and grooves of the part.

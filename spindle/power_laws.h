@@ -20,6 +20,7 @@ struct StraightLine {
 /// therefore have equal relative weight.
 struct PowerLaw {
   double factor = unset, exponent = unset;
+  /// Standard error of the exponent; NaN with fewer than three points.
   double exponent_std = unset;
   double rms = unset;  ///< RMS of the relative residuals [1]
   [[nodiscard]] double operator()(double power) const;
@@ -53,29 +54,32 @@ struct LagAt {
 /// different values of P.
 ///
 /// Source:   straight lines from [Brecher2021, eq. 8 and 9].
-/// Traps:    a straight line is only a chord of the true curve. K(0) of the line has no physical
-///           meaning, and T of the line may become zero.
+/// Traps:    a straight line is valid only between the fitted points. K(0) of the line has no
+///           physical meaning, and the line of T may reach zero at large P.
 struct PowerLaws {
   StraightLine gain_line = {}, time_line = {};  ///< slopes [m/W], [s/W]; offsets [m], [s]
-  /// Power laws of K and T. All members of a law are NaN if a P is not above 0, or if the fitted
-  /// gains (or time constants) do not all have the same sign.
+  /// Power laws for the gain K and the time constant T. All members of both laws are NaN if a value
+  /// of P is not above 0. A law is also NaN if its fitted values (gains or time constants) do not
+  /// all have the same sign.
   PowerLaw gain_power = {}, time_power = {};
-  /// Range of P >= 0 in which the gain line has the sign of the gains and the time line is
+  /// Range of P >= 0 in which `gain_line` has the sign of the fitted gains and `time_line` is
   /// positive [W]. `valid_to` may be infinite.
   double valid_from = unset, valid_to = unset;
 };
 
-/// Fits laws over the power loss to points in any order. Throws std::invalid_argument for a
-/// negative power and for a value that is not finite.
+/// Fits the laws of PowerLaws to measured gains and time constants. The points may be in any order.
+/// Throws std::invalid_argument for a negative power and for a value that is not finite.
 [[nodiscard]] PowerLaws fit_power_laws(std::span<const LagAt> points);
-/// Fits laws over a load, which may be positive or negative. The load replaces P in the laws.
+/// Fits the laws of PowerLaws with a load instead of the power P. The load may be positive or
+/// negative.
 [[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
-/// Returns a curve of the gain K through all points and through K(0) = 0, which replaces a point at
-/// zero power or load. Points with equal power or load are averaged.
+/// Returns a curve of the gain K through all points and through K(0) = 0. The value K(0) = 0
+/// replaces a point at zero power or load. Points with equal power or load are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
-/// Returns a curve of the time constant T through all points. `at_rest` is T at zero power or
-/// load [s]; it has no effect if it is NaN or if one of the points has zero power or load.
+/// Returns a curve of the time constant T through all points. `at_rest` is T at zero power or load
+/// [s]; NaN if unknown. If one of the points has zero power or load, the curve uses this point
+/// instead of `at_rest`.
 [[nodiscard]] MonotoneCurve time_curve(std::span<const LagAt> points, double at_rest = unset);
 
 }  // namespace raceway::spindle

@@ -7,23 +7,27 @@
 
 namespace raceway::spindle {
 
-/// Returns the rows of a record or of a speed programme in SI units. If the record has no column
-/// for a temperature, the motor heat or the belt force, the input is NaN, and the model gives the
-/// value. A motor power without a column is unknown (NaN). Nose loads without a column are 0, and a
-/// coolant without a column is on. Speeds become absolute values. The inputs of a ProfileRow apply
-/// from the time of the previous row to its own time. If the record has SettingsHold::until_row,
-/// all inputs of a ProfileRow come from the same row of the record. Otherwise, the settings of the
-/// record apply from their row to the next row: a ProfileRow has the temperatures of its own row
-/// and all other inputs of the previous row. The first ProfileRow has all inputs of the first row.
+/// Returns the rows of a record or of a speed programme in SI units. Speeds become absolute values.
+///
+/// If the record has no column for a temperature, the motor heat or the belt force, the result has
+/// NaN, and the simulation uses the value of the model. Without a column, the motor power is NaN
+/// (unknown), the loads at the nose are 0, and the coolant is on.
+///
+/// The inputs of a ProfileRow apply from the time of the previous row to the time of this row. If
+/// the record has SettingsHold::until_row, all inputs of a ProfileRow come from the same row of the
+/// record. Otherwise, the settings in a row of the record apply until the next row. The
+/// temperatures of a ProfileRow then come from the same row of the record, and all other inputs
+/// come from the previous row. The first ProfileRow has all inputs of the first row of the record.
+///
 /// Throws std::invalid_argument if the column of time or speed is missing, if an input column has
 /// no number in a row, if the times do not increase, or if the record is longer than 10 years.
 [[nodiscard]] std::vector<ProfileRow> profile_of(const record::Record& record);
 
 /// Returns the channels that a simulation predicts: the sensors in the order of the model, then the
-/// axial displacement. A network has no displacement.
+/// axial displacement. A model with [network] has no displacement.
 [[nodiscard]] std::vector<const record::Channel*> measured_channels(const model::Spindle& spindle);
 
-/// Returns the simulated readings at one time, in the order of measured_channels() [SI].
+/// Returns the simulated readings at one time in SI units, in the order of measured_channels().
 [[nodiscard]] std::vector<double> readings_of(const Moment& moment, const model::Spindle& spindle);
 
 }  // namespace raceway::spindle

@@ -18,16 +18,16 @@ struct RollerSeats {
   model::SolidMaterial housing = {};
 };
 
-/// Temperature rises above the mounting temperature [K].
+/// Temperature rises of the parts above the mounting temperature [K].
 struct RollerTemperatures {
   double shaft = 0.0, inner_ring = 0.0, outer_ring = 0.0, housing = 0.0;
-  double rollers = unset;  ///< NaN: mean of both rings
+  double rollers = unset;  ///< if NaN, the mean rise of both rings is used
 };
 
 /// Clearance of a cylindrical roller bearing in operation.
 struct OperatingClearance {
   double clearance = unset;  ///< diametral clearance s [m]
-  /// radial growth u_i of the inner raceway, see operating_clearance() [m]
+  /// Radial growth u_i of the inner raceway [m]. operating_clearance() states the reference.
   double inner_raceway_growth = 0.0;
   double outer_raceway_growth = 0.0;  ///< radial growth u_o of the outer raceway [m]
   PressFit inner_seat, outer_seat;    ///< `outer_seat` is valid only with a housing
@@ -38,12 +38,12 @@ struct OperatingClearance {
 ///
 ///   s = s0 - 2 u_i + 2 u_o - 2 α D ΔT(rollers)
 ///
-/// s0 is the given clearance. D, α and ΔT are diameter, thermal expansion and temperature rise of
-/// the rollers. press_fit() gives the growths u_i and u_o of the raceways. Each ring is a plain
-/// sleeve between its seat and its raceway. The raceways have the diameters d_m ∓ D, where d_m is
-/// the pitch diameter. With ClearanceState::free, u_i and u_o are relative to the bearing before
-/// mounting. With ClearanceState::mounted, u_i and u_o are relative to the mounted cold bearing at
-/// rest.
+/// s0 is RollerGeometry::radial_clearance. D, α and ΔT are diameter, thermal expansion and
+/// temperature rise of the rollers. press_fit() gives the growths u_i and u_o of the raceways. Each
+/// ring is modelled as a plain sleeve between its seat and its raceway. The inner raceway has the
+/// diameter d_m - D, and the outer raceway d_m + D, where d_m is the pitch diameter. With
+/// ClearanceState::free, u_i and u_o are relative to the bearing before mounting. With
+/// ClearanceState::mounted, u_i and u_o are relative to the mounted cold bearing at rest.
 /// Source:   derived from Lamé's equations as in press_fit(), and compared with a numerical
 ///           solution of the boundary value problem of the seats.
 /// Domain:   the bore of the bearing must be given, and with a housing also the outer diameter of
@@ -63,8 +63,8 @@ struct OperatingClearance {
 [[nodiscard]] double interference_for(const bearing::RollerBearing& bearing,
                                       const RollerSeats& seats, double mounted_clearance);
 
-/// Returns the axial drive-up on a tapered seat for a diametral interference: taper (12 for 1:12)
-/// times interference [m].
+/// Returns the axial drive-up on a tapered seat that gives a diametral interference [m]. The
+/// drive-up is `taper` times the interference; `taper` is 12 for a taper of 1:12.
 [[nodiscard]] inline double drive_up(double taper, double interference) {
   return taper * interference;
 }

@@ -22,7 +22,7 @@ struct SetsAtSpeed {
   /// Equilibrium of each bearing with its 5x5 stiffness matrix, front set first.
   std::vector<bearing::BearingEquilibrium> bearings = {};
   std::vector<double> clearances = {};  ///< diametral clearances of the roller bearings [m]
-  std::optional<Moment> moment = {};    ///< steady state of the spindle; empty if cold
+  std::optional<Moment> moment = {};    ///< steady state of the spindle; empty for cold sets
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
@@ -37,15 +37,16 @@ class SetsOfSpindle {
   SetsOfSpindle(SetsOfSpindle&&) noexcept;
   ~SetsOfSpindle();
 
-  /// Sets a flag that cancels at(), as in Simulator::stop_on().
+  /// Stores a pointer to a flag that cancels at(); see Simulator::stop_on().
   void stop_on(const std::atomic<bool>* cancelled);
   /// Returns the arrangement of the bearing sets as mounted, with the effects of the model.
   [[nodiscard]] const bearing::Arrangement& arrangement() const;
+  /// Solves the equilibrium of the bearing sets for these inputs. If `warm` is false, the sets are
+  /// cold.
   [[nodiscard]] SetsAtSpeed at(const Inputs& inputs, bool warm);
 
  private:
   [[nodiscard]] bool heat(const Inputs& inputs, SetsAtSpeed& sets);
-  /// Returns the diametral clearances of the roller bearings [m].
   [[nodiscard]] std::vector<double> clearances(double speed,
                                                const std::optional<Moment>& warm) const;
 

@@ -5,7 +5,7 @@
 namespace raceway::spindle {
 
 /// Spindle model for fits to axial displacement and temperatures measured over time. The weight of
-/// a measured channel comes from its noise and from the expected accuracy of a spindle model.
+/// a measured channel depends on its noise and on the error that is usual for spindle models.
 class SpindleSubject : public model::ModelSubject {
  public:
   /// Throws std::invalid_argument for a model without a spindle.
@@ -20,31 +20,34 @@ class SpindleSubject : public model::ModelSubject {
   [[nodiscard]] bool has_memory() const override { return true; }
   [[nodiscard]] bool approximates() const override { return true; }
   [[nodiscard]] bool is_costly() const override { return true; }
-  /// Returns the runs of the record, and the time steps of a simulation with the values of the
-  /// model file. Fits use these time steps for all parameter values. A simulation that fails with
-  /// these time steps is repeated with its own step sizes.
+  /// Prepares fits: simulates the runs of the record once with the values of the model file, and
+  /// returns the runs and the time steps of these simulations. All simulations of a fit use these
+  /// time steps. If a simulation with these time steps fails, it is repeated with automatic step
+  /// sizes.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
-  /// Returns a predictor that simulates every run on its own. A run starts at its ambient
-  /// temperature, with one exception: if the thermometers show that the first run of a record, or
-  /// of a part of a joined record, began warm (find_warm_start()), this run starts from the warm
-  /// state. If the displacement was set to zero in this warm state, the mean error of the run is
-  /// subtracted from the predicted displacement.
+  /// Returns a predictor that simulates each run separately. In general, a run starts at ambient
+  /// temperature. If find_warm_start() detects a warm start from the thermometers, the first run of
+  /// a record starts warm. If several records were joined, this rule applies to the first run of
+  /// each record. If the displacement sensor was set to zero in the warm state, the predicted
+  /// displacement of this run is shifted: the mean of prediction minus reading becomes 0.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns one sentence for each run that starts warm. The sentence describes the operation that
-  /// find_warm_start() found before the run.
+  /// Returns one sentence for each run that starts warm. The sentence describes the estimated
+  /// operation before the run.
   [[nodiscard]] std::vector<std::string> warm_starts(const fit::Record& record) const;
 
   /// Returns the effects that a diagnosis may add. Effects on the load or the condition of the
-  /// bearings in operation are left out, because they apply only to models without [shaft] and
+  /// bearings in operation are not in the list, because the spindle simulation computes load and
+  /// condition itself. Such effects apply only to models of the bearing sets without [shaft] and
   /// [housing].
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   [[nodiscard]] std::vector<std::string> catalogue() const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
-  /// Returns the division of a record into eight consecutive parts with nearly equal numbers of
-  /// rows, each of which is held out in turn. The result is empty for fewer than 16 rows.
+  /// Divides a record into eight consecutive parts with nearly equal numbers of rows. The fit is
+  /// repeated eight times, each time without the rows of one part. The result is empty for fewer
+  /// than 16 rows.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
   [[nodiscard]] model::Expected expected() const override;

@@ -24,11 +24,11 @@ struct StepFit {
   /// lags.
   Lag fast = {}, slow = {};
   double rms_of_two = unset;  ///< RMS residual of the fit with two lags [m]
-  /// True if `rms` exceeds a hundredth of the absolute gain of `one`, and `rms_of_two` is less than
-  /// half of `rms`.
+  /// True if the fit needs two lags: the RMS residual with one lag exceeds 1 % of the magnitude of
+  /// its gain, and the RMS residual with two lags is less than half of it.
   bool two_needed = false;
-  /// True if the last row lies at least two time constants of `one` after the step. Otherwise, gain
-  /// and time constant of `one` are extrapolated.
+  /// True if the last row lies at least two time constants of `one` after the step. Otherwise, the
+  /// final displacement of the fit with one lag is an extrapolation.
   bool settled = false;
 };
 
@@ -36,9 +36,8 @@ struct StepFit {
 /// equal weights of all rows. The step is at t = 0.
 ///
 /// Source:   [Brecher2021, eq. 7].
-/// Method:   variable projection. Linear least squares give the gains for each choice of time
-///           constants. A logarithmic grid and then Gauss-Newton iterations with Kaufman's
-///           derivatives give the time constants. No start values are needed.
+/// Method:   linear least squares for the gains; a logarithmic grid, then Gauss-Newton iterations
+///           for the time constants. No start values are needed.
 /// Domain:   one lag needs at least two rows at different times t > 0, and two lags need at least
 ///           six rows with t > 0. Rows may have any order and spacing, with t >= 0 [s]. The time
 ///           constants are limited to the range from a tenth of the smallest time t > 0 to thirty
@@ -54,8 +53,8 @@ struct StepFit {
 ///
 ///   u(t) = Σ K_k exp(-t/T_k)
 ///
-/// A delay element of a correction needs these time constants for the spindle at rest. If the gains
-/// were fitted, the lags of the decay would not correspond to the lags of the step.
+/// The function does not fit the gains, but uses the gains of the preceding step. Each lag of the
+/// decay then corresponds to a lag of this step.
 /// Method:   a logarithmic grid from a tenth of the smallest time t > 0 to thirty times the largest
 ///           time, refined around its best point.
 /// Accuracy: relative error of the time constants 1e-6 if the rows follow u(t) exactly. Throws

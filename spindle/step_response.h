@@ -10,18 +10,19 @@
 
 namespace raceway::spindle {
 
-/// Input of a step response: the speed of a spindle at rest, or a load at the nose of a rotating
-/// spindle.
+/// Input that changes in a step: the speed of a spindle that was at rest, or a load at the nose of
+/// a rotating spindle.
 enum class Stepped { speed, axial_load, radial_load };
 
-/// Response of a spindle to a step at t = 0. A speed step starts from rest, as does a step of the
-/// friction loss in an imported load case. A load step starts from the steady state of a rotating
-/// spindle, and the displacements are relative to the steady state without the load.
+/// Response of a spindle to a step at t = 0. A speed step starts from rest. A load case that was
+/// imported from a file is a step of the friction loss, which also starts from rest. A load step
+/// starts from the steady state of a rotating spindle, and the displacements are relative to the
+/// steady state without the load.
 struct StepResponse {
   Stepped stepped = Stepped::speed;
-  double load = unset;         ///< load after the step [N]; NaN: step of speed or power
-  std::string load_case = {};  ///< name of an imported load case; empty if simulated
-  double speed = unset;        ///< speed [rad/s]; NaN: only the power is known
+  double load = unset;         ///< load after the step [N]; NaN for a step of speed or power
+  std::string load_case = {};  ///< name of a load case from a file; empty for a simulation
+  double speed = unset;        ///< speed [rad/s]; NaN if only the power is known
   double power_start = unset;  ///< friction loss of all bearings at t = 0 [W]
   /// Friction loss of all bearings at the end [W]: the power P in the laws for gain K(P) and time
   /// constant T(P).
@@ -38,13 +39,13 @@ struct StepResponse {
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
-/// Cooling at standstill after the end of the fastest speed step. Values are NaN if the cooling was
-/// not requested, or if step or cooling did not converge.
+/// Cooling at standstill after the end of the fastest speed step. All values are NaN if the cooling
+/// was not requested, or if the simulation of step or cooling did not converge.
 struct CoolDown {
-  StepFit fit = {};  ///< fit to the decrease of the displacement since the end of the step
-  /// Time constants of the cooling [s], fitted with the gains of the preceding step. They are the
-  /// time constants at the friction loss 0 W. `one` belongs to the fit with one lag, `fast` and
-  /// `slow` belong to the fit with two lags, and are NaN if the step has no such fit.
+  StepFit fit = {};  ///< fit to the decrease of the displacement during the cooling
+  /// Time constants of the cooling [s], fitted with the gains of the preceding step. These time
+  /// constants apply to the friction loss 0 W. `one` belongs to the fit with one lag. `fast` and
+  /// `slow` belong to the fit with two lags, and are NaN if the step has no fit with two lags.
   double one = unset, fast = unset, slow = unset;
   [[nodiscard]] bool known() const { return one > 0.0; }
 };
@@ -53,16 +54,17 @@ struct CoolDown {
 struct LoadSteps {
   Stepped stepped = Stepped::axial_load;
   double speed = unset;                  ///< [rad/s]
-  std::vector<StepResponse> steps = {};  ///< in ascending order of load
-  /// Time constant after removal of the load with the largest absolute value [s]; NaN if its load
-  /// step or the removal did not converge.
+  std::vector<StepResponse> steps = {};  ///< sorted by load, ascending
+  /// Time constant of the displacement after removal of the load with the largest magnitude [s];
+  /// NaN if this load step or the removal did not converge.
   double unloaded = unset;
 };
 
 struct StepResponses {
-  std::vector<StepResponse> steps = {};  ///< in the order of the given speeds
+  std::vector<StepResponse> steps = {};  ///< speed steps, in the order of the given speeds
   CoolDown cool_down = {};
-  std::vector<LoadSteps> loads = {};  ///< axial loads, then radial loads; each by speed
+  /// Steps of axial loads, then steps of radial loads, each in the order of the speeds.
+  std::vector<LoadSteps> loads = {};
 };
 
 struct StepOptions {
@@ -70,8 +72,9 @@ struct StepOptions {
   /// Interval between rows of a speed step [s]. Load steps use a quarter of this interval.
   double row = 120.0;
   Inputs inputs = {};     ///< all inputs except speed and stepped load
-  bool cool_down = true;  ///< true: simulate cooling of the same duration after the fastest step
-  /// Flag of the caller; null: none. If the flag is true, the functions throw fit::Cancelled.
+  bool cool_down = true;  ///< true: after the fastest step, the spindle cools for `duration`
+  /// Flag that cancels the work; null if not used. If the flag becomes true, the functions throw
+  /// fit::Cancelled.
   const std::atomic<bool>* cancelled = nullptr;
 };
 
@@ -79,19 +82,19 @@ struct StepOptions {
 /// effects of the model. Fits one lag and two lags to each response. The speeds are simulated in
 /// parallel.
 ///
-/// The friction loss is not constant during a step: it may fall by half as the oil becomes thinner.
-/// Gain and time constant are assigned to the friction loss at the end of the step. Throws
+/// The friction loss may fall by half during a step, because the warm oil is thinner. at_powers()
+/// assigns the fitted gain and time constant to the friction loss at the end of the step. Throws
 /// std::invalid_argument for a model that is not a spindle, for speeds that are not above 0, and
-/// for a duration shorter than three intervals between rows. A step that did not converge has only
-/// a speed, a status and a message.
+/// for a duration shorter than three intervals between rows. If a step did not converge, only
+/// speed, status and message of the response are set.
 [[nodiscard]] StepResponses step_responses(const model::Model& model,
                                            std::span<const double> speeds,
                                            const StepOptions& options = {});
 
 /// Simulates load steps [N] at each of these speeds [rad/s]. Each step starts from the steady state
-/// without the load. The lags are fitted to the displacement minus the immediate displacement at
-/// t = 0. `power_start` and `power_end` of a response are the total friction loss of all bearings,
-/// not only its increase by the load.
+/// without the load. The lags are fitted to the displacement minus the immediate displacement at t
+/// = 0. `power_start` and `power_end` of a response are the total friction loss of all bearings,
+/// not only the increase caused by the load.
 ///
 /// Throws std::invalid_argument like step_responses(), and for loads that are 0 or not in ascending
 /// order.
@@ -100,18 +103,19 @@ struct StepOptions {
                                                          std::span<const double> loads,
                                                          const StepOptions& options = {});
 
-/// Returns the load, and gain and time constant of the single lag, for each converged load step.
+/// Returns load, gain and time constant for each converged load step. Gain and time constant are
+/// from the fit with one lag.
 [[nodiscard]] std::vector<LagAt> at_loads(const LoadSteps& loads);
 
 /// Lag of a StepFit: the single lag, or the faster or the slower of two lags.
 enum class WhichLag { one, fast, slow };
-/// Returns the friction loss at the end, the gain and the time constant of a lag, for each
-/// converged step that has this lag.
+/// Returns the friction loss at the end of the step, and gain and time constant of the lag `which`,
+/// for each converged step with this lag.
 [[nodiscard]] std::vector<LagAt> at_powers(std::span<const StepResponse> steps,
                                            WhichLag which = WhichLag::one);
 
-/// Returns true if `two_needed` is true for at least one converged step, and all converged steps
-/// have a fit with two lags.
+/// Returns true if a model of these steps needs two lags: StepFit::two_needed is true for at least
+/// one converged step, and all converged steps have a fit with two lags.
 [[nodiscard]] bool need_two(std::span<const StepResponse> steps);
 
 }  // namespace raceway::spindle

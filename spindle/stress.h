@@ -7,7 +7,8 @@
 namespace raceway::spindle {
 
 /// Returns the stresses of shaft and rings in each axial slice of the mesh. The stresses come from
-/// the temperature across the wall, the seat pressure and the rotation (stresses_of()).
+/// the temperature distribution over the wall, from the seat pressure and from the rotation
+/// (stresses_of()).
 ///
 /// The surface temperature follows from the temperature of the outermost cell and the heat flow
 /// through half of this cell. A ring with one cell over the radius therefore also has a temperature

@@ -21,7 +21,7 @@ struct CylinderHeat {
 /// computes friction and heat conduction of the bearings.
 ///
 /// Heat transfer coefficients, and pressures and conductances of the ring seats, depend on the
-/// temperatures that are passed to update(). They are constant within a time step.
+/// temperatures that are passed to update(). These quantities are constant within a time step.
 class ThermalSystem {
  public:
   /// Group of heat paths with the same conductance per area.
@@ -41,7 +41,7 @@ class ThermalSystem {
     model::Coolant channel;
     int node = -1;  ///< index of the node at the mean coolant temperature
     Group walls = {};
-    std::size_t flow = 0;  ///< index in HeatPaths::outlets of the heat removal by coolant flow
+    std::size_t flow = 0;  ///< index of the coolant flow in HeatPaths::outlets
   };
   [[nodiscard]] const std::vector<Circuit>& circuits() const { return circuits_; }
   /// Returns the inlet temperature of a circuit for these inputs [K].
@@ -50,8 +50,8 @@ class ThermalSystem {
   /// Updates heat transfer coefficients, and pressures and conductances of the ring seats, for
   /// these cell temperatures [K] and inputs.
   void update(const Vector& temperatures, const Inputs& inputs);
-  /// Sets the temperatures of the reservoirs and the heat of all sources for these inputs.
-  /// `machine_rise` is added to the machine temperature of the inputs [K].
+  /// Sets the temperatures of the surroundings (Reservoir) and the heat of all sources for these
+  /// inputs. `machine_rise` [K] is added to the machine temperature in the inputs.
   void set_inputs(const Inputs& inputs, double machine_rise);
   /// Returns the heat of all sources except bearing friction [W].
   [[nodiscard]] double driven_heat() const { return driven_heat_; }
@@ -60,7 +60,8 @@ class ThermalSystem {
   [[nodiscard]] double ambient(const Inputs& inputs) const;
   /// Returns the ring seats after the last update(), in the order of Layout::bearings.
   [[nodiscard]] const std::vector<SeatsOfBearing>& seats() const { return seats_; }
-  /// Returns all joints and surfaces except the seats of the rings, after the last update().
+  /// Returns the state of all joints and surfaces except the seats of the rings, after the last
+  /// update().
   [[nodiscard]] std::vector<SurfaceState> surfaces(const Vector& temperatures) const;
   /// Returns the heat that leaves each cell radially, without the heat at raceways, at coolant
   /// walls and at the outer surface of the housing.
@@ -79,8 +80,8 @@ class ThermalSystem {
   void update_seats(const Vector& temperatures, double speed);
   void update_room(const Vector& temperatures, double speed);
   void update_coolant(const Vector& temperatures, const Inputs& inputs);
-  /// Weights of the cells that a source heats. The fraction `share` of the heat enters the cells in
-  /// `first`, and the rest enters the cells in `second`.
+  /// Weights of the cells that a source heats. The fraction `share` of the heat of the source
+  /// enters the cells in `first`, and the rest enters the cells in `second`.
   struct HeatedCells {
     Shares first, second;
     double share = 1.0;
@@ -100,12 +101,12 @@ class ThermalSystem {
   std::vector<Group> inner_seats_, outer_seats_;
   std::vector<SeatsOfBearing> seats_;
   Group shoulders_, collars_, flange_;
-  std::vector<Group> faces_;  ///< one group for each face in Layout::faces
+  std::vector<Group> faces_;
   Group housing_, ends_, nose_, rear_, gap_;
   std::vector<Circuit> circuits_;
   double nose_diameter_ = unset, rear_diameter_ = unset;
   HeatedCells motor_, drive_, seal_, front_bearings_, rear_bearings_;
-  std::vector<HeatedCells> sources_;  ///< one for each source in model::Spindle::heat
+  std::vector<HeatedCells> sources_;
   double driven_heat_ = 0.0;
   std::vector<double> source_heat_;
 };

@@ -16,8 +16,8 @@ struct Unbalance {
 /// Orbit of a point on the shaft axis during one revolution.
 struct Orbit {
   double amplitude = unset;  ///< largest distance from the position without unbalance [m]
-  /// Phase lag of the forward whirl behind the unbalance [rad]. The lag is 0 to π if one mode
-  /// dominates.
+  /// Phase lag of the forward whirl behind the unbalance [rad]. If one mode dominates, the lag is
+  /// between 0 and π.
   double lag = unset;
 };
 
@@ -27,12 +27,13 @@ struct Orbit {
 ///   (-Ω² M + (1 + 2 i ζ) K_y) v + i Ω² G w = u Ω²
 ///   (-Ω² M + (1 + 2 i ζ) K_z) w - i Ω² G v = -i u Ω²
 ///
-/// M, G and K are the mass, gyroscopic and stiffness matrices of shaft and springs. K_y and K_z are
-/// the stiffness matrices in the planes of y and z. Ω is the speed, and ζ is the damping ratio.
-/// Source:   equations of find_modes(). The loss factor 2 ζ of the stiffness gives each mode the
-///           damping ratio ζ at resonance. Tests compare the result for a rigid rotor with
-///           |u Ω²/(m (ω0² (1 + 2 i ζ) - Ω²))|, where m is the mass of the rotor and ω0 its
-///           natural frequency on the springs.
+/// M and G are the mass and gyroscopic matrices of the shaft. K_y and K_z are the stiffness
+/// matrices of shaft and springs in the planes of y and z. Ω is the speed, and ζ is the damping
+/// ratio.
+/// Source:   equations of motion as in find_modes(). The factor 1 + 2 i ζ of the stiffness (loss
+///           factor 2 ζ) gives each mode the damping ratio ζ at resonance. For a rigid rotor with
+///           the mass m and the natural frequency ω0 on its springs, the amplitude is |u Ω²/(m (ω0²
+///           (1 + 2 i ζ) - Ω²))| (tested).
 /// Domain:   speed >= 0, damping_ratio > 0. At standstill, the amplitude is 0 and the lag is NaN.
 ///           If the equations have no solution, amplitude and lag are NaN.
 /// Trap:     damping inside a rotating shaft has no effect on unbalance response, because the bent

@@ -17,9 +17,9 @@ struct RollersAsked {
 /// Clearance, friction heat and heat conduction of a cylindrical roller bearing at the temperatures
 /// of its rings and seats.
 ///
-/// Between two calls of take(), the sums of the roller loads change linearly with the clearance,
-/// until the inner ring is without load. Friction heat and preload therefore also interact within a
-/// time step.
+/// Between two calls of take(), heat() assumes that the sums of the roller loads on each ring
+/// change linearly with the clearance, down to zero. Friction heat and preload therefore also
+/// interact within a time step.
 class WarmRollers {
  public:
   WarmRollers(const model::Model& model, const model::RollerOnShaft& rollers, const Layout& layout,
@@ -28,7 +28,7 @@ class WarmRollers {
   void set_speed(double speed) { speed_ = speed; }
   /// Returns the diametral operating clearance s [m].
   [[nodiscard]] double clearance(const RollersAsked& asked) const;
-  /// Stores the roller loads of an equilibrium with the bent shaft.
+  /// Stores the roller loads from an equilibrium that includes the bending of the shaft.
   void take(const bearing::RollerEquilibrium& rollers);
   [[nodiscard]] BearingHeat heat(const RollersAsked& asked) const;
   [[nodiscard]] const bearing::RollerEquilibrium& rollers() const { return taken_; }
@@ -41,8 +41,8 @@ class WarmRollers {
   double roller_conductivity_;
   double speed_ = 0.0;
   bearing::RollerEquilibrium taken_;
-  /// Sums of the roller loads on each ring [N] and thermal conductance [W/K], in the equilibrium
-  /// `taken_`.
+  /// Results of the last call of take(): sum of the roller loads on each ring [N], and thermal
+  /// conductance [W/K].
   double inner_sum_ = unset, outer_sum_ = unset, conductance_ = unset;
 };
 

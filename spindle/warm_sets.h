@@ -20,15 +20,16 @@ struct SetsAsked {
   double elongation = 0.0;  ///< elongation of the shaft minus the elongation of the housing [m]
 };
 
-/// Friction heat of one bearing, with its forces, clearance and heat conduction.
+/// Friction heat, forces, clearance and heat conduction of one bearing.
 struct BearingHeat {
   double inner = 0.0, outer = 0.0;  ///< heat produced at each ring [W]
   double force = 0.0;               ///< axial force [N]
-  double radial_force = 0.0;        ///< [N]
-  double clearance = unset;         ///< diametral clearance s of a roller bearing [m]
+  double radial_force = 0.0;        ///< radial force [N]
+  double clearance = unset;         ///< diametral clearance s, only for a roller bearing [m]
   /// Thermal conductance of balls or rollers through their contacts [W/K].
   double conductance = 0.0;
-  /// Half width of the 95 % band of power() [W]; 0 unless the friction law is a table with a band.
+  /// Half width of the 95 % error band of power() [W]. The value is 0 unless the friction law of
+  /// the bearing is a table with an error band.
   double band = 0.0;
   [[nodiscard]] double power() const { return inner + outer; }
 };
@@ -38,23 +39,25 @@ struct BearingHeat {
 /// Each bearing has its own ring temperatures, and thermal_shift() computes the change of its
 /// dimensions by thermal expansion. Balls and lubricant have the mean temperature of both rings.
 /// Friction depends on the axial forces of the warm sets. If the model sets `preload_feedback` to
-/// false, friction depends on the forces of the cold sets at the same speed. The effect parameter
-/// SpindleCondition::other_preload_feedback interpolates between both cases. The contributions of
-/// radial loads to forces, friction and shaft position are constant between two calls of bear().
+/// false, friction depends on the forces of the cold sets at the same speed. An effect can
+/// interpolate between both cases (SpindleCondition::other_preload_feedback). solve() considers
+/// only axial loads. bear() computes the contributions of radial loads to forces, friction and
+/// shaft position; these contributions stay constant until the next call of bear().
 class WarmSets {
  public:
-  /// Mounts the bearing sets. Throws std::invalid_argument if they cannot be mounted.
+  /// Mounts the bearing sets. Throws std::invalid_argument if the sets cannot be mounted.
   WarmSets(const model::Model& model, const effects::SpindleCondition& condition);
 
   /// Sets speed and axial load. Returns false if the cold bearing sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Computes equilibrium and friction heat. Returns false if the sets have no equilibrium, if a
   /// ring temperature is outside 50 to 800 K, if a ring shift exceeds 1 mm or the elongation 10 mm,
-  /// or if a friction value is not finite. The results then remain unchanged.
+  /// or if a friction value is not finite. After such a failure, the previous results remain
+  /// unchanged.
   [[nodiscard]] bool solve(const SetsAsked& asked);
-  /// Replaces the axial bearing loads by the bearing loads of the bent shaft, at the temperatures
-  /// of the last solve(). If `bent` is null, only axial loads act. Returns false if a friction
-  /// value is not finite.
+  /// Adds the effect of radial loads to the results of the last solve(), at unchanged temperatures.
+  /// `bent` is the equilibrium of the bent shaft, and contains the loads on the bearings. If `bent`
+  /// is null, only axial loads act. Returns false if a friction value is not finite.
   [[nodiscard]] bool bear(const LoadedShaft* bent);
 
   [[nodiscard]] const model::Model& model() const { return model_; }
@@ -80,8 +83,8 @@ class WarmSets {
     const bearing::Vector5& load;
     const bearing::BearingEquilibrium& balls;
   };
-  /// Returns the friction heat of a bearing under the loads of `uneven`. If `uneven` is null, the
-  /// bearing has the axial load of `sets`.
+  /// Returns the friction heat of a bearing. If `uneven` is null, the axial load in `sets` acts on
+  /// the bearing, otherwise the load in `uneven`.
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets,
                                     const UnevenBalls* uneven = nullptr) const;
@@ -103,15 +106,17 @@ class WarmSets {
   /// the weight 1 - feedback_.
   double feedback_ = 1.0;
   shaft::ShaftBalance balance_;
-  std::vector<model::Model> singles_;  ///< model of each bearing alone, if effects need one
+  /// Model of each single bearing; empty if no effect changes friction.
+  std::vector<model::Model> singles_;
   Inputs inputs_;
-  /// Speed, axial load and ring shifts: `speed_` of the cold sets, `asked_` of the warm sets.
+  /// `speed_` is the condition of the cold sets, and `asked_` the condition of the warm sets.
   shaft::ShaftCondition speed_, asked_;
   bearing::ArrangementEquilibrium cold_, sets_;
-  SetsAsked temperatures_;  ///< temperatures of the last solve()
+  SetsAsked temperatures_;  ///< temperatures given to the last solve()
   std::vector<BallConduction> conduction_;
   std::vector<BearingHeat> heat_;
-  std::vector<BearingHeat> more_;  ///< additional heat from radial loads; empty without them
+  /// Additional heat from radial loads; empty without radial loads.
+  std::vector<BearingHeat> more_;
   double more_position_ = 0.0, more_front_ = 0.0, more_rear_ = 0.0;
   double rest_ = 0.0;
 };

@@ -10,11 +10,11 @@
 
 namespace raceway::text {
 
-/// Collects invalid cells for one error message, which shows the first ten by line and the number
-/// of all invalid cells.
+/// Collects invalid cells for one error message. The message shows the first ten cells in the order
+/// of their lines, and the number of all invalid cells.
 class BadCells {
  public:
-  /// `rows` is the number of rows of the table, for the message.
+  /// `rows` is the number of rows of the table; the message shows it.
   BadCells(std::string source, std::size_t rows) : source_(std::move(source)), rows_(rows) {}
 
   void add(int line, std::string_view column, std::string_view cell, std::string_view problem);
@@ -46,8 +46,8 @@ struct CellRange {
   return {channel.name, channel.lower, channel.upper, channel.unit};
 }
 
-/// Reads a cell in the unit of its column. A cell that is not a number or is out of range is added
-/// to `bad`.
+/// Reads a number from a cell, in the unit of the column. A cell that is not a number or is outside
+/// `range` is added to `bad`.
 [[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
                                      const CellRange& range, BadCells& bad);
 

@@ -12,7 +12,7 @@ namespace raceway::text {
 /// line with a name for which `known` returns true. If no name is known, the header is the line
 /// above the first row of numbers, or above the row of units. This header must have at least as
 /// many cells as the first row of numbers. The line below the header is the row of units if at
-/// least half of its cells are units and no cell is a reading.
+/// least half of its cells are units and none of its cells is a reading (see is_reading()).
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 
@@ -22,7 +22,7 @@ namespace raceway::text {
 [[nodiscard]] std::optional<char> separator_of_commented_header(std::string_view comment,
                                                                 std::string_view row);
 
-/// Returns the text of a comment after the `#`.
+/// Returns the text of a comment without the leading `#`.
 [[nodiscard]] std::string_view behind_hash(std::string_view comment);
 
 /// Returns true if a cell is a number or a time (text/timestamp.h). The number may have a decimal

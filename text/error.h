@@ -12,7 +12,7 @@ using record::Place;
 
 /// An error in the user's input. The message is complete and can be shown unchanged: `FILE:LINE:
 /// key or column = value: what is wrong or allowed range`. If the message has several lines,
-/// `place` is the file position in the first line.
+/// `place` is the file position that the first line names.
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message, Place where = {})
       : std::runtime_error(message), place(std::move(where)) {}

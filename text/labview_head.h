@@ -7,11 +7,12 @@
 namespace raceway::text {
 
 /// Header of a LabVIEW measurement file (LVM). The header gives the time of the first row and the
-/// time step. If the column X_Value is empty, the time of each row is computed from both.
+/// time step. If the column X_Value is empty, the time of each row is computed from these two
+/// values.
 ///
 /// Source: NI, "Specification for the LabVIEW Measurement File (.lvm)", version 2: `X0`, `Delta_X`,
-/// `Decimal_Separator` and `X_Columns` (One, Multi, No). This code was not checked against the
-/// specification itself.
+/// `Decimal_Separator` and `X_Columns` (One, Multi, No). The code was not checked against the
+/// specification.
 class LabviewHead {
  public:
   static constexpr std::string_view column = "X_Value";

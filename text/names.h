@@ -21,20 +21,23 @@ using record::edit_distance;
 /// Returns the text with its ASCII letters in lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// Returns the known name that the user probably meant; empty if no known name is near. The known
-/// name differs from `name` by at most two changes (one change for names of up to four letters), or
-/// `name` is the known name without the unit ("speed") or without the first word ("load_N").
+/// Returns the known name that the user probably meant; empty if no known name is similar. A known
+/// name is similar if it differs from `name` by at most two letters, or by at most one letter if
+/// `name` has up to four letters. A known name without its unit ("speed" for "speed_rpm") or
+/// without its first word ("load_N" for "axial_load_N") is also similar.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> known);
 
-/// Returns the text in quotes for TOML, with quotes and backslashes written as \" and \\.
+/// Returns the text as a TOML string in quotes. Quotes and backslashes in the text become \" and
+/// \\.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Returns a text such as "a, b and c"; `last_word` is the word before the last name.
 [[nodiscard]] std::string listed(std::span<const std::string> names,
                                  std::string_view last_word = "and");
 
-/// Returns "; did you mean X?" for nearest_name(); empty if no known name is near.
+/// Returns the text "; did you mean X?", in which X is the result of nearest_name(); empty if no
+/// known name is similar.
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> known);
 
 }  // namespace raceway::text

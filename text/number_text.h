@@ -5,18 +5,17 @@
 
 #include "record/channel.h"
 
-/// Text of numbers and units in results and files; shared by readers and writers.
+/// Functions that write numbers and units as text, for results and files.
 namespace raceway::text {
 
 /// Rounds a number to 15 digits, as in results and written models. This removes the rounding errors
 /// of unit conversions: 6000 rpm instead of 6000.000000000001.
 [[nodiscard]] double with_15_digits(double value);
 
-/// Returns a double as a TOML float: the shortest text that gives exactly the same number when
-/// read.
+/// Returns a number as a TOML float: the shortest text that is read as exactly the same number.
 [[nodiscard]] std::string toml_float(double value);
 
-/// Returns the text of a number for readers, with `digits` significant digits. The text has an
+/// Returns a number as text for the user, with `digits` significant digits. The text has an
 /// exponent only for very large and very small numbers. NaN gives "-".
 [[nodiscard]] std::string number(double value, int digits = 4);
 

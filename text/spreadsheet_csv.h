@@ -5,25 +5,26 @@
 
 namespace raceway::text {
 
-/// Cell separator and decimal mark that a spreadsheet expects. The default values are for a German
-/// Excel.
+/// Cell separator and decimal mark that a spreadsheet expects. The default values are for Excel
+/// with German settings.
 struct SpreadsheetMarks {
   char separator = ';';
   char decimal = ',';
 };
 
-/// A table with its header in the first line.
+/// CSV table whose first line is the header, and the comments that were removed from it.
 struct PlainCsv {
   std::string table;
-  std::string comments;  ///< text of all `#` lines, including the model; empty if there are none
+  std::string comments;  ///< text of all `#` lines, such as the model file; empty without them
 };
 
-/// Separates the table in a CSV text of this program from the comments.
+/// Separates the table from the comments in a CSV text that this program has written.
 [[nodiscard]] PlainCsv plain_csv(std::string_view csv);
 
-/// Separates table and comments like plain_csv(), and converts the table to a form that a
-/// spreadsheet opens by a double click: with a UTF-8 byte order mark, CR LF and the given marks.
-/// Throws std::invalid_argument if both marks are the same.
+/// Separates table and comments like plain_csv(), and converts the table so that a spreadsheet
+/// opens it by a double click: with a UTF-8 byte order mark, CR LF as line ends, and the separator
+/// and decimal mark in `marks`. Throws std::invalid_argument if separator and decimal mark are the
+/// same.
 [[nodiscard]] PlainCsv spreadsheet_csv(std::string_view csv, SpreadsheetMarks marks = {});
 
 }  // namespace raceway::text

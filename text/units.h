@@ -27,7 +27,7 @@ enum class Dimension {
   share
 };
 
-/// A unit that may occur in files.
+/// A unit that may occur in files; units() returns all of them.
 struct Unit {
   std::string_view suffix;  ///< ending of column names: "Nmm"
   std::string_view words;   ///< text for readers: "N mm"
@@ -38,14 +38,13 @@ struct Unit {
   /// left out, the micro sign is "u", the degree sign is "deg", and a slash is "_". find_unit()
   /// converts a text in the same way before the comparison.
   std::string_view spellings = {};
-  std::string_view names = {};  ///< further spellings, in lower case; files may also use upper case
+  /// Words for the unit, in lower case, separated by blanks; files may also use upper case.
+  std::string_view names = {};
 
   [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
 };
 
-/// Returns all units. For each dimension, this program uses the first unit that occurs in channel
-/// names.
 [[nodiscard]] std::span<const Unit> units();
 
 /// Returns the unit with this spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm",
@@ -54,13 +53,13 @@ struct Unit {
 [[nodiscard]] const Unit* find_unit(std::string_view spelling,
                                     std::optional<Dimension> dimension = std::nullopt);
 
-/// Returns true for a text that stands for "no unit", such as "-".
+/// Returns true for a text that means "no unit", such as "-".
 [[nodiscard]] bool states_no_unit(std::string_view text);
 
-/// Returns the units of a dimension for messages: "rpm, 1_s, rad_s, deg_s or krpm".
+/// Returns the units of a dimension as text for messages, such as "rpm, 1_s, rad_s, deg_s or krpm".
 [[nodiscard]] std::string listed_units(Dimension dimension);
 
-/// Returns a conversion as text for notes: "1 N m = 1000 N mm", "C = K - 273.15".
+/// Returns the conversion between two units as text for notes, such as "1 N m = 1000 N mm".
 [[nodiscard]] std::string conversion(const Unit& from, const Unit& to);
 
 /// Name and unit of a column header: {"Drehzahl", "1/min"} for "Drehzahl [1/min]", "Drehzahl
@@ -76,12 +75,12 @@ struct HeaderParts {
 [[nodiscard]] std::string_view in_brackets(std::string_view header);
 
 /// Returns a unit of this dimension at the end of a header, after a blank or a comma: "Torque, N
-/// m", "Speed rad/s". The unit must have at least two letters. Returns null if the header does not
-/// end with such a unit.
+/// m", "Speed rad/s". The unit must have at least two characters. Returns null if the header does
+/// not end with such a unit.
 [[nodiscard]] const Unit* unit_at_end(std::string_view header, Dimension dimension);
 
-/// Returns the SI value of one unit of a column, from the end of its name: 1e-3 for "load_Nmm", 1
-/// if the name has no unit or an SI unit at its end.
+/// Returns the factor that converts the values of a column to SI. The end of the column name gives
+/// the unit: the factor is 1e-3 for "load_Nmm", and 1 for a name with an SI unit or without a unit.
 [[nodiscard]] double column_unit(std::string_view column);
 
 }  // namespace raceway::text

@@ -6,9 +6,10 @@
 
 namespace raceway::tolerance {
 
-/// Returns true if the readings of a channel change essentially in one direction, for example while
-/// a machine warms up. The sum of the magnitudes of all changes of the smoothed readings is then
-/// less than 1.3 times their range. In such a record, no block can be predicted from the other
+/// Returns true if the readings of a channel only rise or only fall, apart from small changes in
+/// the other direction. An example is the warm-up of a machine. The result is true if the sum of
+/// the absolute changes of the smoothed readings is less than 1.3 times their range. If a record
+/// has such readings, a model that is fitted to some blocks of its rows cannot predict the other
 /// blocks. The result is also true if the channel has no readings.
 [[nodiscard]] bool goes_one_way(const fit::Means& means, std::size_t channel);
 

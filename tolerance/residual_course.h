@@ -7,9 +7,9 @@
 
 namespace raceway::tolerance {
 
-/// Finds the pattern of residuals over time: times of the largest residuals, period and correlation
-/// time. `left` is the reading minus the prediction of every mean [SI]. The result is empty for
-/// fewer than 8 means.
+/// Finds the pattern of the residuals over time: times of the largest residuals, period and
+/// correlation time. `left` contains the residuals of the means [SI], reading minus prediction. The
+/// result is empty for fewer than 8 means.
 [[nodiscard]] verdict::Course course_of(const fit::Means& means, const Eigen::VectorXd& left);
 
 }  // namespace raceway::tolerance

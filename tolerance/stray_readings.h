@@ -13,10 +13,11 @@ struct WithoutStrays {
   std::vector<record::Note> notes{};  ///< notes with the lines of the removed readings
 };
 
-/// Removes stray readings, whose residual jumps and returns (fit/isolated_readings.h), for example
-/// because chips touch a probe that measures every few minutes. The function fits the model and
-/// removes these readings, in up to three rounds. The record is unchanged for costly models
-/// (Subject::is_costly()) and for models that cannot be fitted.
+/// Removes stray readings. At a stray reading, the residual jumps away from its neighbours and then
+/// returns, for example because a chip touches the probe (fit/isolated_readings.h). The function
+/// repeats two steps up to three times: it fits the model and removes the stray readings. The
+/// record is unchanged for a costly model (Subject::is_costly()) and for a model that cannot be
+/// fitted.
 [[nodiscard]] WithoutStrays without_strays(const fit::Subject& subject,
                                            const record::Record& record);
 

@@ -22,15 +22,15 @@ enum class Verdict {
   effect,           ///< one effect explains the misfit
   ambiguous,  ///< each of several effects explains the misfit, and the data cannot separate them
   several_effects,  ///< several effects are missing together
-  effect_like,      ///< the misfit resembles an effect, but with another law or an implausible size
+  effect_like,      ///< the misfit resembles an effect, but the data do not confirm this effect
   not_in_catalogue  ///< an effect is missing, and no candidate explains it
 };
 
-/// Returns the verdict in the words of the JSON results, for example "nothing-missing".
+/// Returns the verdict as JSON results contain it, for example "nothing-missing".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// Diagnosis of one measured channel. Indices of readings in `noise`, such as `noise.outliers`,
-/// refer to the list `baseline.errors`.
+/// Diagnosis of one measured channel. Indices of readings in `noise`, such as `noise.outliers`, are
+/// indices in `baseline.errors`.
 struct ChannelDiagnosis {
   Comparison baseline{};  ///< comparison of the refitted model with the readings
   fit::NoiseModel noise{};
@@ -38,8 +38,8 @@ struct ChannelDiagnosis {
   double rmse_before = unset, rmse_after = unset;
   double tolerance = unset;  ///< acceptable RMS error [SI]; NaN if not given
   /// Held-out RMS errors without and with the effects of the verdict [SI]; NaN if no rows can be
-  /// held out. If a tolerance is given, the blocks with the lowest and the highest values of an
-  /// input are not held out.
+  /// held out. If a tolerance is given, the blocks of rows with the lowest and the highest values
+  /// of an input are not held out.
   double rmse_held_out_before = unset, rmse_held_out_after = unset;
 
   [[nodiscard]] const record::Channel& channel() const { return *baseline.channel; }
@@ -48,26 +48,29 @@ struct ChannelDiagnosis {
 /// Fit of the model with one effect added. All free parameters of the model are refitted.
 struct RankedEffect {
   std::string id;
-  /// Name of the datum that may be wrong ("the oil card": the viscosities of the oil); empty for an
-  /// effect.
+  /// Name of the datum of the model that may be wrong, such as "the oil card" for the viscosities
+  /// of the oil; empty for an effect.
   std::string datum{};
   std::string correction{};  ///< text with the corrected value of the datum
   /// Places where the effect acts (Candidate::acts_on). The id ends in ":" and the name of the
   /// place, unless the effect can act at one place only.
   std::vector<std::pair<std::string, std::string>> acts_on{};
-  bool by_column = false;  ///< true if the id names the column of the record that drives the effect
+  /// True if the id contains the record column on which the effect depends.
+  bool by_column = false;
   bool in_verdict = false;
-  /// Fall of -2 ln L when the effect is added, minus ln N for each parameter of the effect that is
-  /// neither the size nor at a bound, with N readings. If the verdict is `several_effects` and
-  /// includes this effect, this is the gain of the whole set.
+  /// Decrease of -2 ln L (L: likelihood) when the effect is added, minus a penalty [1]. The penalty
+  /// is ln N for each parameter of the effect, with N readings. The size of the effect and
+  /// parameters at a bound add no penalty. If the verdict is `several_effects` and includes this
+  /// effect, `gain` is the gain of the whole set.
   double gain = unset;
   fit::Likelihood likelihood{};  ///< likelihood of the fit that gives `gain`
   std::vector<double> rmse{};    ///< RMS error of each channel on the rows of the fit [SI]
   /// Held-out RMS error of each channel [SI]; calculated only for the effects of the verdict and
   /// the six best other effects.
   std::vector<double> rmse_held_out{};
-  std::vector<record::Parameter> parameters{};  ///< parameters of the effect, named without its id
-  std::size_t size = 0;  ///< index in `parameters` of the parameter that gives the size
+  /// Parameters of the effect; the names do not contain the id.
+  std::vector<record::Parameter> parameters{};
+  std::size_t size = 0;  ///< index in `parameters` of the size of the effect
   /// Free parameters of the model: `start` is the value fitted without the effect, `value` the
   /// value fitted with it. The difference shows how far these parameters had compensated for the
   /// missing effect.
@@ -75,7 +78,8 @@ struct RankedEffect {
   /// Ids of the other candidates (effects or wrong data) that change these data in nearly the same
   /// way, or that replace this candidate in another set of the verdict.
   std::vector<std::string> indistinguishable_from{};
-  /// p-value of the test for a further missing effect (verdict/gate.h); NaN if not tested
+  /// P-value of the test for a further missing effect in addition to this one (verdict/gate.h); NaN
+  /// if not tested.
   double remaining_p_value = unset;
 
   /// Returns the id without the place where the effect acts. If the id names a column
@@ -106,7 +110,7 @@ struct EffectShare {
 };
 
 /// Readings that the model predicts with a set of effects, and the contribution of each effect. The
-/// order of the readings is as in EffectShare.
+/// readings are sorted by channel, as in EffectShare.
 struct ExplainedReadings {
   /// Prediction of the model with the effects and with refitted free parameters [SI].
   std::vector<double> total{};
@@ -115,7 +119,7 @@ struct ExplainedReadings {
   std::vector<EffectShare> effects{};
 };
 
-/// Smallest size at which an effect would have been found in 99 of 100 cases.
+/// Smallest size of an effect that the diagnosis would have found in 99 of 100 cases.
 struct DetectableSize {
   std::string id;
   std::string parameter;
@@ -124,7 +128,8 @@ struct DetectableSize {
   /// RMS of the contribution of the effect at this size, divided by the RMS of the readings; the
   /// largest ratio of all channels [1].
   double share_of_reading = unset;
-  std::string most_alike{};  ///< effect that is hardest to separate from this effect; may be empty
+  /// Id of the effect that is hardest to separate from this effect; empty if there is none.
+  std::string most_alike{};
   /// Value of `parameter` above which the data separate the effect from `most_alike`; NaN if no
   /// allowed value is large enough.
   double told_apart_from = unset;
@@ -133,7 +138,7 @@ struct DetectableSize {
 struct NotTestable {
   std::string id;
   /// Reason in words, for example missing data, or free parameters that change the readings in the
-  /// same way.
+  /// same way as the effect.
   std::string reason;
 };
 
@@ -150,18 +155,19 @@ struct SuggestedMeasurement {
   std::vector<fit::Setting> point;
   std::string words;  ///< description of the measuring point
   int repeats = 2;
-  std::string separates{};  ///< ids of the two effects: "this-effect / that-effect"
+  std::string separates{};  ///< ids of the two effects that the measurement would separate:
+                            ///< "this-effect / that-effect"
   /// Difference between the readings that the two effects predict at this point, in standard
   /// deviations of the noise [1]. The effects are not refitted for this difference.
   double difference_in_sigma = unset;
 };
 
-/// Another base model, calibrated to the same readings instead of the given base model.
+/// Model with another base law than the given model, calibrated to the same readings.
 struct OtherBaseTried {
   std::string id;     ///< id for add(), such as "law:skf"
   std::string words;  ///< name of the base law in model files
-  /// Fall of -2 ln L relative to the given model without effects, minus ln N for each additional
-  /// free parameter, with N readings.
+  /// Decrease of -2 ln L (L: likelihood) relative to the given model without effects, minus ln N
+  /// for each additional free parameter, with N readings [1].
   double gain = unset;
   fit::Likelihood likelihood{};
   std::vector<double> rmse{};           ///< RMS error of each channel on the rows of the fit [SI]
@@ -171,36 +177,38 @@ struct OtherBaseTried {
   /// tested.
   double remaining_p_value = unset;
   bool explains = false;     ///< true if the data show no missing effect in this base model
-  bool fitted_form = false;  ///< true if the fit also finds exponents of this base law
+  bool fitted_form = false;  ///< true if the exponents of this base law are also fitted
 };
 
 struct Diagnosis {
   Verdict verdict = Verdict::nothing_missing;
   std::string headline;                    ///< verdict in one short line
   std::string sentence;                    ///< verdict with the numbers that support it
-  std::vector<ChannelDiagnosis> channels;  ///< channels, in the order of Subject::measured()
+  std::vector<ChannelDiagnosis> channels;  ///< one for each channel of Subject::measured()
   /// P-value of the test for a missing effect (verdict/gate.h): probability of a misfit at least
   /// this large if no effect is missing.
   double p_value = unset;
-  /// P-value of the same test with the effects of the verdict in the model.
+  /// P-value of the test for a missing effect, after the effects of the verdict were added to the
+  /// model.
   double remaining_p_value = unset;
-  std::vector<RankedEffect>
-      effects;  ///< effects of the verdict, best set first, then other effects, largest gain first
-  std::vector<std::vector<std::string>>
-      sets;  ///< sets of effects whose gain is close to the best, best first
-  /// One fit for each of `sets`; empty if the model only approximates the readings.
+  /// Effects of the verdict, best set first; then other effects by falling gain.
+  std::vector<RankedEffect> effects;
+  /// Sets of effects whose gain is close to the best gain, best first.
+  std::vector<std::vector<std::string>> sets;
+  /// One fit for each of `sets`; empty for a spindle model or a correction
+  /// (Subject::approximates()).
   std::vector<SetFit> fits;
   /// Likelihood of the refitted model without effects, with the estimated noise.
   fit::Likelihood likelihood;
   /// Correlation of the parameters in the fit with the best set, or in the fit without effects if
   /// there is no set.
   Correlation correlation;
-  /// Predicted readings with the best set of the verdict, if there is one, followed by the
-  /// predicted readings with each ranked effect outside this set.
+  /// Predicted readings, first with the best set of the verdict (if there is one), then with each
+  /// of the other effects in `effects`.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< true if `explained` begins with the verdict's best set
-  /// Refits of a model that only approximates the readings: first without effects, then with the
-  /// best set of the verdict.
+  /// Refits of a spindle model or a correction (Subject::approximates()): first without effects,
+  /// then with the best set of the verdict; empty for other models.
   std::vector<fit::Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
@@ -210,8 +218,10 @@ struct Diagnosis {
   std::vector<SuggestedMeasurement> suggested_measurements;
   /// Inputs that can be set for a measurement, in the order of SuggestedMeasurement::point.
   std::vector<fit::Axis> axes;
+  /// Predicted separation of the effects [1] by `suggested_measurements`, and by the same number of
+  /// repeated readings: see NextPoints.
   double predicted_separation = unset, separation_by_repetition = unset;
-  /// Further quantities to record that would separate the effects.
+  /// Quantities that would separate the effects if a new record contained them.
   std::vector<std::string> records_needed;
   std::optional<fit::Shape> shape;
   std::optional<Course> course;
@@ -226,18 +236,20 @@ struct Diagnosis {
   int rows = 0;              ///< number of rows used
   std::vector<std::size_t> outliers;            ///< rows with reduced weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows without a prediction
-  /// Other base models: first the model of `given_other_base`, if there is one. The others follow,
-  /// best first, and laws with fitted exponents come last. Other base models are tried if no
-  /// candidate explains the misfit, or if one candidate fits only with another law or an
-  /// implausible size.
+  /// Other base models, best first; laws with fitted exponents come last. If `given_other_base` is
+  /// not null, the first model of the list is the base model in `given_other_base`. Other base
+  /// models are tried only if the verdict is `effect_like` or `not_in_catalogue`.
   std::vector<OtherBaseTried> other_bases{};
-  /// Diagnosis with the first model of `other_bases` as the base model, with single candidates
-  /// only. Null if no other base model is good enough.
+  /// Diagnosis with the first model of `other_bases` as the base model. This diagnosis tests only
+  /// single effects, no pairs. Null if no other base model describes the readings clearly better
+  /// than the given base model.
   std::shared_ptr<const Diagnosis> given_other_base{};
-  /// True if a tolerance is given and the held-out error of the refitted model without effects is
-  /// within it after subtraction of the noise: sqrt(error² - noise²). `significant_but_immaterial`
-  /// then names effects that are statistically significant and reduce the held-out error.
+  /// True if a tolerance is given and the error of the refitted model without effects is within
+  /// this tolerance. The compared error is the held-out error after subtraction of the noise:
+  /// sqrt(error² - noise²). For a spindle model or a correction, the noise is not subtracted.
   bool within_tolerance = false;
+  /// If `within_tolerance` is true: effects that are statistically significant and reduce the
+  /// held-out error.
   std::vector<std::string> significant_but_immaterial;
   std::vector<record::Note> messages;  ///< messages for the user
 

@@ -8,17 +8,18 @@
 
 namespace raceway::verdict {
 
-/// Random numbers for the distribution that the largest score (see Gate) has if no effect is
-/// missing. They are standard normal numbers, drawn at first use. The numbers are identical for all
-/// gates of a diagnosis, and for all diagnoses with the same number of scores. The first call of
-/// p_value() draws the numbers, so several threads must not call p_value() at the same time.
+/// Simulates the distribution of the largest score (see Gate) for the case that no effect is
+/// missing. The simulation uses standard normal random numbers, which are identical for all
+/// diagnoses with the same number of scores. The first call of p_value() draws the numbers, so
+/// several threads must not call p_value() of one object at the same time.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
   /// Returns the probability that the largest score reaches `observed` if no effect is missing. In
-  /// each draw, the scores are normal with the correlation `correlation`, divided by a random
-  /// standard deviation with `degrees_of_freedom`. If the probability is very small or very large,
-  /// the result is a bound from Student's distribution.
+  /// each simulation, the scores are drawn from a normal distribution with the correlation matrix
+  /// `correlation`. The scores are then divided by a random estimate of the noise with
+  /// `degrees_of_freedom` degrees of freedom. If the probability is very small or very large, the
+  /// result is a bound from Student's distribution.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
@@ -33,44 +34,47 @@ class NullDraws {
 
 constexpr double alarm_level = 0.01;
 
-/// Result of the test whether the model misses an effect. The test combines an F test, in which a
-/// smooth function of the inputs describes the residuals, with the largest score of all candidates.
-/// A score is the size of a candidate that the residuals suggest, in standard errors.
+/// Result of the test for a missing effect. The test combines an F test and a score test. The F
+/// test fits a smooth function of the inputs to the residuals. The score test uses the largest
+/// score of all candidates. A score is the size of a candidate that the residuals suggest, divided
+/// by its standard error.
 struct Gate {
   double surface_statistic = unset;
   double surface_p_value = 1.0;
   int surface_terms = 0;
-  double largest_score = unset;  ///< largest score, in standard errors
-  int largest = -1;  ///< index of the largest score in `scores`; -1 if no column of a candidate is
-                     ///< visible
+  double largest_score = unset;  ///< largest score [1]
+  /// Index of the largest score in `scores`; -1 if the visibility of all columns is below
+  /// `invisible`.
+  int largest = -1;
   double score_p_value = 1.0;
-  /// Largest p-value over the other noise models that the readings allow; 0 if they were not
-  /// tested.
+  /// Largest p-value with other noise models that also agree with the readings (Evidence::allowed);
+  /// 0 if no other noise model was tested.
   double allowed_p_value = 0.0;
   Eigen::VectorXd scores;  ///< one score for each column of the candidates, see open_gate(); 0 if
                            ///< the visibility of the column is below `invisible`
-  /// Share of the length of each column that the free parameters of the model cannot absorb, from 0
-  /// to 1 [1].
+  /// Share of each column that the free parameters of the model cannot compensate [1]: norm of the
+  /// column in `projected`, divided by its norm before the compensated part is subtracted.
   Eigen::VectorXd visibility;
-  Eigen::MatrixXd projected;  ///< columns of the candidates minus the part that the free parameters
-                              ///< absorb
+  /// Whitened changes of the readings by the candidates, in one or more columns for each candidate.
+  /// The part that the free parameters compensate is subtracted.
+  Eigen::MatrixXd projected;
 
-  /// Returns the p-value of both tests together (Bonferroni): the largest value over all tested
-  /// noise models.
+  /// Returns the p-value of both tests together (Bonferroni), and the largest of these values if
+  /// several noise models are tested.
   [[nodiscard]] double p_value() const;
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
 /// Smallest visibility of a column whose score is tested [1]. Below this visibility, the free
-/// parameters of the model absorb the effect.
+/// parameters of the model compensate the effect.
 constexpr double invisible = 0.02;
 
 /// Tests whitened residuals for a missing effect. `tangent` contains the derivatives of the
 /// readings with respect to the free parameters, `surface` the terms of a smooth function, and
 /// `scores` the changes of the readings by the candidates, in one or more columns for each
-/// candidate. All matrices and the residuals are whitened. `one_sided` marks the columns of
-/// candidates whose size can differ from its neutral value in one direction only. These columns are
-/// the changes for that direction.
+/// candidate. All matrices and the residuals are whitened (fit::Whitening). `one_sided` marks the
+/// columns of candidates whose size can differ from its neutral value in one direction only. Such a
+/// column contains the change of the readings for a change of the size in this direction.
 [[nodiscard]] Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,
                              const Eigen::MatrixXd& surface, const Eigen::MatrixXd& scores,
                              const std::vector<bool>& one_sided, double degrees_of_freedom,

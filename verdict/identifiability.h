@@ -8,17 +8,19 @@
 
 namespace raceway::verdict {
 
-/// Finds parameters that the data cannot separate from others, neither at the start values of a fit
-/// nor at other values. A parameter is fixed if it changes no reading, or if its influence equals a
-/// combination of the influences of parameters that precede it in `response.parameters`. The
-/// function marks this parameter and the preceding ones in the combination as not identifiable, and
-/// adds a message. `lacks` returns the missing data that a parameter needs, as Judged::lacks() does
-/// for an effect.
+/// Fixes parameters whose influence on the readings the data cannot separate from the influence of
+/// other parameters. A parameter is fixed if it changes no reading, or if its influence equals a
+/// combination of the influences of parameters that precede it in `response.parameters`. The test
+/// must give this result both at the start values of the fit and at a second set of parameter
+/// values. The function marks the fixed parameter and all parameters of the combination as not
+/// identifiable, and adds a message. `lacks` returns a text that describes the data that are
+/// missing for a parameter.
 void hold_dependent(const fit::Response& response, const fit::Whitening& whitening,
                     const std::function<std::string(const std::string& parameter)>& lacks,
                     Calibration& result);
 
-/// Returns the message about a parameter that is fixed because the data lack `needed`.
+/// Returns the message about a parameter that is fixed because the record does not contain the data
+/// `needed`.
 [[nodiscard]] std::string not_identifiable(const record::Parameter& held,
                                            const std::string& needed);
 

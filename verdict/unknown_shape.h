@@ -8,8 +8,8 @@
 namespace raceway::verdict {
 
 /// Fits a power law of the inputs to the misfit of the first channel, together with all free
-/// parameters of the model. Subject::formula() gives the inputs. The result is empty if the model
-/// supports no formula or if no fit converges.
+/// parameters of the model. Subject::formula() gives the inputs. The result is empty if
+/// Subject::formula() is empty or if no fit converges.
 [[nodiscard]] std::optional<fit::Shape> find_unknown_shape(const Evidence& evidence);
 
 }  // namespace raceway::verdict

@@ -9,23 +9,28 @@
 
 namespace raceway::verdict {
 
-/// Effects that these data can show and cannot show, whether or not an effect is missing.
+/// Effects that the data can show, and effects that the data cannot show. The lists do not depend
+/// on whether an effect is missing.
 struct Visibility {
-  std::size_t tried = 0;  ///< number of effects that the free parameters of the model do not absorb
-  std::vector<DetectableSize> would_have_been_found;  ///< detectable sizes of effects
+  /// Number of effects that the data can show. The other effects are in `not_testable`.
+  std::size_t tried = 0;
+  std::vector<DetectableSize> would_have_been_found;  ///< detectable sizes of the effects
   std::vector<NotTestable> not_testable;
-  /// Groups of effects that change these readings in nearly the same way.
+  /// Groups of effects that change the readings in nearly the same way.
   std::vector<std::vector<std::string>> aliases;
 };
 
 /// Calculates the detectable size of each candidate. At this size, the test for a missing effect
 /// (verdict/gate.h) would detect the candidate in 99 of 100 cases. The function also calculates the
-/// separable size, at which a fit with the most similar other effect instead of the candidate would
-/// have a -2 ln L that is higher by 20. Both sizes assume that the change of the readings is
-/// proportional to the size. If the detectable size is outside the range of the parameter, the
-/// function predicts the change without this assumption and looks for a detectable size within the
-/// range. If there is none, the effect is in Visibility::not_testable. A separable size outside the
-/// range is NaN.
+/// separable size. At this size, the data separate the candidate from the most similar other
+/// effect: if the other effect replaces the candidate in the fit, -2 ln L (L: likelihood) is higher
+/// by 20.
+///
+/// Both sizes are first calculated as if the change of the readings were proportional to the size
+/// of the effect. If this detectable size is outside the range of the parameter, the function
+/// searches the range without this assumption. If the function finds no detectable size, it adds
+/// the effect to Visibility::not_testable. A separable size outside the range of the parameter is
+/// reported as NaN.
 [[nodiscard]] Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribution);
 
 }  // namespace raceway::verdict

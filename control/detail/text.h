@@ -25,8 +25,8 @@ namespace raceway::control {
 /// Returns the units of the displacements: "um", "urad" or "um or urad".
 [[nodiscard]] std::string units_of(const ControlPlan& plan);
 
-/// Allowed difference between the displacements of an exported program in double precision and of
-/// `correct` in the check record [um] or [urad].
+/// Allowed difference between the displacements in the check record, which `raceway correct`
+/// predicts, and the displacements of an exported program in double precision [um] or [urad].
 inline constexpr const char* control_tolerance = "1e-9";
 
 /// An axis of a friction table whose value an input supplies, in the unit of this input.

@@ -6,10 +6,8 @@
 
 namespace raceway::friction::contact {
 
-/// Returns asinh(x) for x >= 0 with a relative error of 1e-15. The code has no branch and no
-/// function call, so that a compiler can vectorize it. The function computes ln(1 + t), t = x +
-/// x²/(1 + sqrt(1 + x²)), from the exponent and the mantissa of 1 + t. The argument `length` is
-/// sqrt(1 + x²).
+/// Returns asinh(x) for x >= 0 with a relative error of 1e-15. A compiler can vectorize this code.
+/// The argument `length` is sqrt(1 + x²).
 [[gnu::always_inline]] inline double area_sine(double x, double length) {
   const double t = x + x * x / (1.0 + length);
   const auto bits = std::bit_cast<std::uint64_t>(1.0 + t);

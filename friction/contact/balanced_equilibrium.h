@@ -22,12 +22,12 @@ class TurningBalls {
   /// result of the previous call. Returns false if the solver finds no rotation for a ball;
   /// `status()` then gives the reason. `ball_scale` is a typical load on a ball [N].
   [[nodiscard]] bool turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale);
-  /// True if the last turn() changed the ball forces by at most the solver tolerance, and if the
-  /// computed cage speeds agree with the cage speeds used for the films. At standstill, only the
-  /// cage speeds are checked.
+  /// True if the last call of turn() changed the ball forces by at most the solver tolerance, and
+  /// if the computed cage speeds agree with the cage speeds that were used for the film thickness.
+  /// At standstill, the changes of the ball forces are not checked.
   [[nodiscard]] bool settled() const;
-  /// Largest change of a force on a ball in the last turn(), divided by the outer contact load of
-  /// the ball plus `ball_scale` [1].
+  /// Largest change of a force on a ball in the last call of turn(), divided by the sum of the
+  /// outer contact load of this ball and `ball_scale` [1].
   [[nodiscard]] double change() const { return change_; }
   [[nodiscard]] bearing::SolveStatus status() const { return status_; }
   [[nodiscard]] const std::vector<bearing::GivenRotation>& rotations() const { return rotations_; }
@@ -42,17 +42,16 @@ class TurningBalls {
   std::vector<BallAttitude> attitudes_;
   std::vector<bearing::GivenRotation> rotations_;
   double change_ = 0.0, films_ = 0.0;
-  /// Share of the step to the new rotations that turn() uses [1]. It is reduced if forces and
-  /// rotations oscillate.
   double share_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
   bearing::SolveStatus status_ = bearing::SolveStatus::not_run;
 };
 
 /// Equilibrium of a bearing in which contact traction, not race control, determines the rotation of
-/// the balls. If the solver does not converge, only `report` and `equilibrium.report` are valid.
+/// the balls. If the solver does not converge, only the members `report` and `equilibrium.report`
+/// are valid.
 struct BalancedEquilibrium {
   /// Equilibrium of the bearing, including the ball rotations. `equilibrium.report` contains the
-  /// number of Newton steps of all passes and the force residual.
+  /// force residual and the total number of Newton steps.
   bearing::BearingEquilibrium equilibrium;
   std::vector<BallAttitude> attitudes;  ///< rotation of each ball in equilibrium.balls.distinct()
   /// Status of the complete solution. `iterations` is the number of passes over ball forces and
@@ -65,38 +64,38 @@ struct BalancedEquilibrium {
 /// rotation of each ball (BallAttitudes). The centrifugal force at the computed orbital speed and
 /// the friction forces T_i, T_o at both contacts act on each ball.
 ///
-/// The solver alternates between forces for given rotations and rotations for given forces. The
-/// solver starts from outer control or from the rotations in `neighbour`, the solution of a similar
-/// operating point. If forces and rotations depend strongly on each other, the solver shortens its
-/// steps. With nearly unloaded balls at very high speed, the solver may not converge (in tests,
-/// fewer than 1 in 100 extreme cases). `report` then gives the reason.
+/// The solver alternates between ball forces and ball rotations. The solver starts from outer race
+/// control or, if `neighbour` is given, from the ball rotations of this solution for a similar
+/// operating point. With nearly unloaded balls at very high speed, the solver may not converge. In
+/// tests, this happened in fewer than 1 of 100 extreme cases. `report` then gives the reason.
 ///
-/// Domain:   as for solve_bearing_equilibrium(). At standstill, the ball rotations do not affect
-///           the forces. The function ignores `options.race_control` and `options.rotations`,
-///           because it computes the ball rotations itself.
-/// Accuracy: the forces on each ball are accurate to 1e-8 of its load. The physical accuracy
+/// Domain:   the same as for solve_bearing_equilibrium(). At standstill, the ball rotations do not
+///           affect the forces. The function ignores `options.race_control` and
+///           `options.rotations`, because it computes the ball rotations itself.
+/// Accuracy: the forces on a ball are accurate to 1e-8 of the ball load. The physical accuracy
 ///           depends on the traction law at small slip. In a full film, where traction is small,
-///           contact angles are accurate to 0.1 degrees. In mixed lubrication, the pitch angle of
-///           the ball rotation depends on the share of the load that asperities carry.
+///           contact angles are accurate to 0.1 degrees. In mixed lubrication, the direction of the
+///           rotation axis (pitch angle) also depends on the share of the load that the asperities
+///           carry.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
     const bearing::Bearing& bearing, const bearing::OperatingPoint& point, const OilState& oil,
     const ContactLaw& law, const bearing::EquilibriumOptions& options = {},
     const bearing::BearingEquilibrium* neighbour = nullptr);
 
-/// Finds the equilibrium of an arrangement without race control. `oils` contains one entry for each
-/// bearing, or one entry for all bearings. The report describes the whole arrangement and counts
-/// the Newton iterations of all passes. Throws std::invalid_argument like solve_arrangement(), and
-/// if the number of oils is wrong.
+/// Finds the equilibrium of an arrangement of bearings in which traction determines the rotation of
+/// the balls, as in solve_balanced_equilibrium(). `oils` contains one entry for each bearing, or
+/// one entry for all bearings. Throws std::invalid_argument in the same cases as
+/// solve_arrangement(), and if the number of entries of `oils` is wrong.
 [[nodiscard]] bearing::ArrangementEquilibrium solve_balanced_arrangement(
     const bearing::Arrangement& arrangement, const bearing::ArrangementCondition& condition,
     std::span<const OilState> oils, const ContactLaw& law,
     const bearing::EquilibriumOptions& options = {},
     const bearing::ArrangementEquilibrium* neighbour = nullptr);
 
-/// Returns the friction of a bearing in which traction determines the rotation of the balls. Use
-/// bearing_friction() for race control. The function computes the rotations with `oil` and `law`
-/// under the ball loads of `equilibrium`. The moments are NaN if the equilibrium did not converge
-/// or if no rotation is found for a ball.
+/// Returns the friction of a bearing in which traction determines the rotation of the balls. For
+/// race control, use bearing_friction(). The function computes the rotations for this oil and
+/// contact law, under the ball loads of `equilibrium`. The moments are NaN if the equilibrium did
+/// not converge or if no rotation is found for a ball.
 template <typename Look>
 [[nodiscard]] BearingFriction balanced_friction(const bearing::Bearing& bearing,
                                                 const bearing::BearingEquilibrium& equilibrium,

@@ -8,9 +8,9 @@
 
 namespace raceway::friction::contact {
 
-/// Rotation of a ball that follows from traction at both contacts, without race control, and the
-/// resulting slip, forces and power. At standstill, speeds and powers are values for a shaft speed
-/// of 1 rad/s.
+/// Rotation of a ball, with the resulting slip, forces and power. Traction at both contacts
+/// determines the rotation; race control is not assumed. At standstill, speeds and powers are
+/// values for a shaft speed of 1 rad/s.
 struct BallAttitude {
   double cage_speed = unset;       ///< ω_m, orbital speed of the ball [rad/s]
   double film_cage_speed = unset;  ///< cage speed used for the film thickness [rad/s]
@@ -32,7 +32,7 @@ struct BallAttitude {
 
 class TurningBall;
 
-/// Finds the rotation of the balls of one bearing at one speed and state of the oil.
+/// Finds the rotation of the balls of one bearing at one shaft speed and one state of the oil.
 ///
 /// A ball has four free speeds: the orbital speed and three components of rotation. The cage exerts
 /// no force on the ball. The conditions for traction at both contacts are:
@@ -47,54 +47,51 @@ class TurningBall;
 /// component of w.
 ///
 /// The unknowns are the slips at the centres of both contacts and ω_R sin β. Traction is the
-/// gradient of a potential that is convex in these unknowns. The gyroscopic moment adds an
-/// antisymmetric term to the matrix of derivatives. Because the potential is convex, exactly one
-/// ball rotation exists for a given cage speed, and every Newton step leads towards this rotation.
-/// If dry friction changes direction too sharply for Newton's method, the solver first smooths this
-/// change and then removes the smoothing.
+/// gradient of a potential that is convex in these unknowns. Therefore, exactly one ball rotation
+/// exists for given film thicknesses.
 ///
 /// Source:   derived from the slip field of traction.h. Race control is not assumed: in a full film
 ///           the rotation axis tilts until the gyroscopic moment vanishes (β near 0); under
 ///           boundary friction the rotation approaches race control.
-/// Domain:   speed >= 0; at standstill, the result is the limit as the speed approaches zero. The
-///           balls are loaded at least by the outer race. A ball without contact at the inner race
-///           rotates as under outer control.
-/// Accuracy: the forces on a ball balance to 1e-9 of the sum of |τ|; the power input equals the
-///           power loss to a relative 1e-8. Film and rolling resistance are computed at the
-///           resulting cage speed. The effect of rolling resistance on the rotation of a ball is
-///           neglected.
+/// Domain:   speed >= 0; at standstill, the result is the limit as the speed approaches zero. Each
+///           ball must have a load at the outer race. A ball without contact at the inner race
+///           rotates as under outer race control.
+/// Accuracy: the forces on a ball balance to 1e-8 of the sum of |τ|, and usually to 1e-10; the
+///           relative difference of power input and power loss is at most 1e-8. Film thickness and
+///           rolling resistance are computed at the resulting cage speed. The effect of rolling
+///           resistance on the rotation of a ball is neglected.
 class BallAttitudes {
  public:
   BallAttitudes(const bearing::Bearing& bearing, double speed, const OilState& oil,
                 const ContactLaw& law);
 
   /// Returns the rotation of a ball for the loads and contact angles in `ball`. `start` is an
-  /// initial guess, for example the rotation of a neighbouring ball or of this ball at another
-  /// load.
+  /// initial guess, such as the rotation of a neighbouring ball.
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
-  /// Returns the rotation of a ball with films at the cage speed of `start`, or at the cage speed
-  /// of outer control if there is no converged `start`. solve() repeats this step until the cage
-  /// speed of the films agrees with the cage speed of the result.
+  /// Returns the rotation of a ball, with the film thickness at the cage speed of `start`. Without
+  /// a converged `start`, the film thickness is computed at the cage speed under outer race
+  /// control. solve() repeats solve_once() until the cage speed of the result equals the cage speed
+  /// used for the film thickness.
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 
-  /// Returns the friction at both contacts of a ball with this rotation.
+  /// Returns the friction at both contacts of a ball with the rotation `attitude`.
   [[nodiscard]] ContactsOfBall contacts(const BallAttitude& attitude,
                                         const bearing::BallEquilibrium& ball) const;
 
   [[nodiscard]] const RaceFriction& race(bearing::Race race) const {
     return race == bearing::Race::inner ? inner_ : outer_;
   }
-  /// Shaft speed that solve() uses [rad/s]: the speed of the bearing, or 1 rad/s at standstill.
+  /// Shaft speed in the calculation [rad/s]: the speed of the bearing, or 1 rad/s at standstill.
   [[nodiscard]] double turning() const { return speed_ > 0.0 ? speed_ : 1.0; }
   /// Factor on the speed for the film thickness [1]: 0 at standstill, else 1.
   [[nodiscard]] double film_speed() const { return speed_ > 0.0 ? 1.0 : 0.0; }
 
  private:
   [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
-  /// Computes the ellipse and the shear law of both contacts of `ball`, with the film thickness at
-  /// this cage speed, and passes them to `turned`. Returns true if asperities carry more than a
+  /// Writes the ellipse and the shear law of both contacts of a ball to `turned`. The film
+  /// thickness is computed at the given cage speed. Returns true if asperities carry more than a
   /// tenth of the load of at least one contact.
   bool press(const bearing::BallEquilibrium& ball, double cage_speed, TurningBall& turned) const;
 
@@ -103,8 +100,8 @@ class BallAttitudes {
   RaceFriction inner_, outer_;
 };
 
-/// Returns the surface, rolling and spin speeds at both contacts of a ball with this rotation.
-/// `speed` is the shaft speed [rad/s].
+/// Returns the surface, rolling and spin speeds at both contacts of a ball with the rotation
+/// `attitude`. `speed` is the shaft speed [rad/s].
 [[nodiscard]] BallMotion ball_motion(const bearing::BearingGeometry& geometry,
                                      const BallAttitude& attitude,
                                      const bearing::BallEquilibrium& ball, double speed);

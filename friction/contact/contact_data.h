@@ -15,12 +15,12 @@ struct ContactData {
   OilData oil;
   double eyring_stress = default_eyring_stress;  ///< Eyring stress τ0 of the oil [Pa]
   /// Limiting traction coefficient Γ of the film, from the key `limiting_traction` in [lubricant]
-  /// [1]. Files with any friction law may contain this key. If Γ is NaN, the default of the oil
-  /// type is used.
+  /// [1]. If Γ is NaN, the default of the oil type is used.
   double limiting_traction = unset;
   Inlet supply = Inlet::limited;
-  /// Distance from the contact centre to the edge of the oil in the inlet, divided by b [1]: m of
-  /// starvation_factors(). NaN: the film is flooded.
+  /// Distance from the contact centre to the edge of the oil in the inlet, divided by the
+  /// semi-minor axis b of the contact [1]. starvation_factors() calls this ratio m. NaN means a
+  /// flooded film.
   double inlet_over_b = unset;
   double race_roughness = 0.045 * um;   ///< roughness Rq of the race [m]
   double ball_roughness = 0.0218 * um;  ///< roughness Rq of the ball [m]

@@ -18,36 +18,39 @@ namespace raceway::friction::contact {
 /// parameter is the range of the corresponding key in a model file.
 struct ContactLaw {
   Inlet supply = Inlet::limited;
-  double replenishment = 0.0;  ///< K_rs of replenishment_factor() [1]; 0: factor 1
-  /// Distance from the contact centre to the edge of the oil in the inlet, divided by b [1]: m of
-  /// starvation_factors(). NaN: the film is flooded.
+  double replenishment = 0.0;  ///< replenishment constant K_rs [1]; 0: no starvation
+  /// Distance from the contact centre to the edge of the oil in the inlet, divided by the
+  /// semi-minor axis b of the contact [1]. starvation_factors() calls this ratio m. NaN means a
+  /// flooded film.
   double inlet_over_b = unset;
   double boundary_friction = 0.10;         ///< friction coefficient μ of asperities [1]
   double limiting_traction = 0.06;         ///< limiting traction coefficient Γ of the film [1]
   double eyring_stress = 5.0 * MPa;        ///< Eyring stress τ0 of the oil [Pa]
   double composite_roughness = 0.05 * um;  ///< composite roughness Rq of race and ball [m]
   AsperityLaw asperities;
-  double rolling_factor = 1.0;     ///< factor on the rolling resistance of the oil [1]
-  double hysteresis_factor = 1.0;  ///< factor on the hysteresis loss [1]
+  double rolling_factor = 1.0;     ///< factor that multiplies the rolling resistance of the oil [1]
+  double hysteresis_factor = 1.0;  ///< factor that multiplies the hysteresis loss [1]
 };
 
 /// Film, slip and losses of one loaded contact.
 struct ContactFriction {
-  Film film;                                            ///< film thickness [m]
-  double film_ratio = 0.0;                              ///< film ratio Λ [1]
-  double asperity_share = 1.0;                          ///< share φ of the load on asperities [1]
-  double peak_pressure = 0.0;                           ///< [Pa]
+  Film film;                    ///< film thickness [m]
+  double film_ratio = 0.0;      ///< film ratio Λ [1]
+  double asperity_share = 1.0;  ///< share φ of the load that asperities carry [1]
+  double peak_pressure = 0.0;   ///< [Pa]
   double semi_major_axis = 0.0, semi_minor_axis = 0.0;  ///< half axes a, b [m]
   double spin = 0.0;                                    ///< spin ω_s [rad/s]
-  double rolling_speed = 0.0;                           ///< ω_roll, ball relative to race [rad/s]
-  double mean_slip = 0.0;                               ///< mean sliding speed Σ p |v|/Q [m/s]
-  double mean_friction = 0.0;                           ///< mean friction coefficient Σ |τ|/Q [1]
+  double rolling_speed = 0.0;  ///< ω_roll, rolling of the ball relative to the race [rad/s]
+  double mean_slip = 0.0;      ///< mean sliding speed, weighted with the pressure [m/s]
+  /// Mean friction coefficient: integral of the shear stress over the contact, divided by the
+  /// contact load [1].
+  double mean_friction = 0.0;
   double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< power losses [W]
-  bool converged = true;  ///< true if the sliding solution converged
+  bool converged = true;  ///< true if the solution for the slip converged
   [[nodiscard]] double power() const { return sliding + rolling + hysteresis; }
 };
 
-/// Shape, oil and law that all contacts of one race have in common.
+/// Shape, oil properties and contact law of all contacts of one race.
 struct RaceFriction {
   ContactShape shape;
   OilState oil;
@@ -57,9 +60,8 @@ struct RaceFriction {
 
   /// Returns the friction of one contact with the load Q > 0 [N]. The film is computed at the
   /// surface speed of `motion` times the factor `film_speed` [1]. The factor 0 means standstill:
-  /// asperities carry the whole load, there is no rolling resistance, and power divided by shaft
-  /// speed is the friction moment in the limit of zero speed. At contact angles above a right
-  /// angle, the ball rolls in the opposite direction, with equal resistance. `centre` is the
+  /// asperities carry the whole load, and the oil has no rolling resistance. The power divided by
+  /// the shaft speed is then the friction moment in the limit of zero speed. `centre` contains the
   /// start value for the slip at the contact centre and receives the solution, see film_traction().
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion, double film_speed,
                                         double& centre) const {
@@ -73,8 +75,8 @@ struct RaceFriction {
     return contact(load, motion, film_speed, centre);
   }
 
-  /// Returns the friction of a contact from `c`, the result of film(), and `traction`, the solution
-  /// of the sliding contact.
+  /// Returns the friction of a contact. `c` is the result of film(), and `traction` the result of
+  /// film_traction() or of another solver for the slip.
   [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
                                         double film_speed, const Traction& traction) const {
     c.sliding = traction.power;
@@ -96,7 +98,7 @@ struct RaceFriction {
     return c;
   }
 
-  /// Returns all values of a contact except slip, friction and losses.
+  /// Returns film, contact size, pressure and speeds of a contact, without slip and losses.
   [[nodiscard]] ContactFriction film(double load, const ContactMotion& motion,
                                      double film_speed) const {
     ContactFriction c;
@@ -173,8 +175,8 @@ struct BearingFriction {
     f.inner = f.outer = {unset, unset, unset};
     return f;
   }
-  /// Adds the friction of `contacts` equal contacts to `parts`, the sums of their race. `speed` is
-  /// the shaft speed [rad/s].
+  /// Adds the friction of several equal contacts to `parts`, the sums for one race. `contacts` is
+  /// the number of these contacts, and `speed` the shaft speed [rad/s].
   void add(const ContactFriction& c, double contacts, double speed, Parts& parts) {
     const double share = contacts / speed;
     parts.sliding += share * c.sliding;
@@ -186,8 +188,8 @@ struct BearingFriction {
   }
 };
 
-/// Returns the shape, oil and law for the contacts of one race. The replenishment factor is
-/// computed at the shaft speed `speed` [rad/s].
+/// Returns the shape, oil properties and contact law for the contacts of one race. The
+/// replenishment factor is computed at the shaft speed `speed` [rad/s].
 [[nodiscard]] inline RaceFriction race_friction(const bearing::Bearing& bearing, bearing::Race race,
                                                 const OilState& oil, const ContactLaw& law,
                                                 double speed) {
@@ -209,8 +211,8 @@ struct BearingFriction {
                                             const bearing::BallEquilibrium& ball,
                                             bearing::RaceControl control, double speed) {
   const bool held = ball.inner_load > 0.0;
-  // Without contact at the inner race the inner angle is NaN; BearingEquilibrium::speeds() uses the
-  // outer angle instead.
+  // Without contact at the inner race, the inner contact angle is NaN. The outer contact angle is
+  // used instead, as in BearingEquilibrium::speeds().
   const double inner = held ? ball.inner_contact_angle : ball.outer_contact_angle;
   const bearing::BallRotation r =
       bearing::ball_rotation(held ? control : bearing::RaceControl::outer, inner,
@@ -253,17 +255,19 @@ template <typename Contacts, typename Look>
 ///
 ///   M = Σ (sliding + rolling + hysteresis)/ω       over the balls, at both races
 ///
-/// Each power is assigned to the contact in which it is lost, so the moments of a race give the
-/// heat of its ring. The function assumes race control without gyroscopic creep; use
-/// balanced_friction() for balls without race control.
-/// Source:   the laws in friction/contact; the sum of powers is derived.
+/// ω is the shaft speed. The power lost in a contact is assigned to the race of this contact. The
+/// sum of the moments at a race, times the shaft speed, is therefore the heat generated at its
+/// ring. The function assumes race control without gyroscopic creep; use balanced_friction() for
+/// balls without race control.
+/// Source:   the laws in friction/contact. The formula for M follows from the power balance of the
+///           bearing.
 /// Domain:   speed >= 0; at standstill, the result is the limit as the speed approaches zero. The
 ///           moments are NaN without a converged equilibrium.
 /// Accuracy: the code agrees with the laws to rounding error, except for the sliding loss, whose
 ///           accuracy is given at film_traction(). The friction of a bearing at speed is uncertain
-///           by +-40 %, because oil supply and heating of the inlets are not known well. Flooded
-///           inlets give 32 to 55 % more friction than inlets with limited oil supply. The computed
-///           ratio of the friction of two bearings is much more accurate than the friction of each.
+///           by +-40 %, because oil supply and inlet heating are not well known. Flooded inlets
+///           give 32 to 55 % more friction than inlets with limited oil supply. A computed ratio of
+///           the friction of two bearings is much more accurate.
 /// The argument `look` is described at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,

@@ -50,8 +50,7 @@ inline constexpr std::array contact_parameters{
 /// contact_parameters.
 [[nodiscard]] ContactLaw contact_law(const ContactData& data, std::span<const double> values);
 
-/// Returns the oil at the temperature and viscosity in `state`. An effect may have changed either
-/// value.
+/// Returns the oil properties at the temperature and viscosity of the bearing state.
 [[nodiscard]] OilState oil_of(const BearingState<double>& state);
 
 /// Friction at the contacts of one ball. `inner` or `outer` is empty if the ball does not touch
@@ -64,13 +63,15 @@ struct BallFriction {
 struct ContactResult {
   BearingFriction friction;
   double drag = 0.0;  ///< drag of the balls in the lubricant [N m]
-  /// Mean sliding speed of all contacts, weighted with the pressure p: Σ p |v|/Σ Q [m/s].
+  /// Mean sliding speed in all contacts [m/s], weighted with the pressure: sum of ∫ p |v| dA over
+  /// all contacts, divided by the sum of the contact loads (p: pressure, v: sliding velocity, A:
+  /// contact area).
   double mean_slip = unset;
-  /// Friction force that balances the gyroscopic moment, divided by the contact load: largest value
-  /// of all contacts [1].
+  /// Largest ratio, over all contacts, of the friction force that balances the gyroscopic moment to
+  /// the contact load [1].
   double holding_coefficient = unset;
-  /// Friction force that balances the gyroscopic moment, divided by the friction of film and
-  /// asperities in the contact: largest value of all contacts [1].
+  /// Largest ratio, over all contacts, of the friction force that balances the gyroscopic moment to
+  /// the total friction force of film and asperities [1].
   double holding_over_traction = unset;
 
   [[nodiscard]] double moment() const { return friction.moment() + drag; }  ///< [N m]
@@ -79,9 +80,9 @@ struct ContactResult {
   [[nodiscard]] BaseMoments<double> moments() const {
     return {.load = sliding() + hysteresis() + drag, .viscous = rolling()};
   }
-  /// True if rescale() can convert a result from the parameter values `from` to the values `to`.
-  /// Only the factors of rolling and hysteresis may differ, and a changed factor must not be 0 in
-  /// `from`.
+  /// True if rescale() can convert a result for the parameter values `from` into the result for
+  /// `to`. Only the factors of rolling and hysteresis may differ between `from` and `to`, and a
+  /// factor that differs must not be 0 in `from`.
   [[nodiscard]] static bool rescales(std::span<const double> from, std::span<const double> to);
   void rescale(std::span<const double> from, std::span<const double> to);
   /// Multiplies the rolling resistance of the oil by the factor `share` [1].
@@ -96,12 +97,14 @@ struct ContactResult {
   }
 };
 
-/// Heat of each ring [W]: the power of its contacts, plus half of the drag losses of the balls.
+/// Heat of each ring [W]: the power lost in the contacts of the ring, plus half of the drag losses
+/// of the balls.
 [[nodiscard]] HeatSplit ring_heat(const ContactResult& result, double speed);
 
 /// Returns the friction of a bearing, summed over its balls. Sliding, rolling and hysteresis are
-/// NaN without a converged equilibrium. If `balls` is not null, it receives the friction at the
-/// contacts of each ball in Balls::distinct(), with one entry for balls that are equal by symmetry.
+/// NaN without a converged equilibrium. If `balls` is not null, the function writes the friction at
+/// the contacts of each ball in Balls::distinct() into this vector. Balls with equal contacts by
+/// symmetry have one common entry.
 [[nodiscard]] ContactResult contact_result(const BearingState<double>& state,
                                            std::span<const double> values,
                                            std::vector<BallFriction>* balls = nullptr);
@@ -110,10 +113,11 @@ struct ContactResult {
 ///
 ///   M = Z (C_D/2) ρ c (π D²/4) (ω_m d_m/2)³/ω,   C_D = 0.45
 ///
-/// ρ is `density`, the density of the oil. c is `oil_fraction`, the share of oil in the free space
-/// of the bearing. ω is the shaft speed, ω_m the orbital speed of the Z balls.
-/// Source:   drag of a sphere at high Reynolds number, c as in commercial programs; from memory,
-///           not checked against a print.
+/// ρ is the density of the oil, and c (`oil_fraction`) the share of the free volume of the bearing
+/// that is filled with oil. ω is the shaft speed, Z the number of balls, and ω_m their orbital
+/// speed. D is the ball diameter and d_m the pitch diameter.
+/// Source:   drag of a sphere at high Reynolds number, with c as in commercial programs. No
+///           publication was checked.
 /// Domain:   speed > 0; the moment is 0 at standstill. Accuracy: the moment is accurate to a factor
 ///           of 3. The drag of the cage is not included.
 [[nodiscard]] double ball_drag(const BearingState<double>& state, double density,

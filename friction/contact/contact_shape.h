@@ -16,11 +16,13 @@ namespace raceway::friction::contact {
 /// D is the ball diameter, d_m the pitch diameter, α0 the nominal contact angle and f the
 /// conformity.
 struct ContactShape {
-  double radius_along = unset;     ///< R_x, equivalent radius along rolling [m]
-  double radius_across = unset;    ///< R_z, equivalent radius across rolling [m]
-  double pressed_radius = unset;   ///< R, radius of the deformed contact across rolling [m]
-  double modulus = unset;          ///< E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2) [Pa]
-  double ellipse_ratio = unset;    ///< k = a/b [1]
+  double radius_along = unset;    ///< R_x, equivalent radius along rolling [m]
+  double radius_across = unset;   ///< R_z, equivalent radius across rolling [m]
+  double pressed_radius = unset;  ///< R, radius of the deformed contact across rolling [m]
+  /// E' = 2/((1-ν1²)/E1 + (1-ν2²)/E2), with the elastic moduli E and the Poisson ratios ν of ball
+  /// and ring [Pa].
+  double modulus = unset;
+  double ellipse_ratio = unset;    ///< k = a/b, ratio of the semi-axes of the ellipse [1]
   double second_integral = unset;  ///< E(k), complete elliptic integral of the second kind [1]
   double unit_major_axis = unset;  ///< a at 1 N load [m]; a grows with the cube root of the load
 };
@@ -54,11 +56,10 @@ struct ContactMotion {
 ///   u_i = (ω - ω_m)(d_m - D cos αi)/2,   u_o = ω_m (d_m + D cos αo)/2
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///
-/// Source: derived. ω is the shaft speed, ω_m the orbital speed of the ball, ω_R the rotation of
-///         the ball relative to the cage, and β the angle between its axis and the bearing axis;
-///         see bearing/kinematics.h, also for the spin speeds. αi and αo are the contact angles,
-///         d_m is the pitch diameter and D the ball diameter. The formulas are valid for inner and
-///         outer race control.
+/// ω is the shaft speed, ω_m the orbital speed of the ball, and ω_R the rotation of the ball
+/// relative to the cage. β is the angle between the rotation axis of the ball and the bearing axis.
+/// αi and αo are the contact angles, d_m is the pitch diameter and D the ball diameter. For the
+/// spin speeds, see bearing/kinematics.h. The formulas are valid for inner and outer race control.
 struct BallMotion {
   ContactMotion inner, outer;
 };

@@ -8,15 +8,16 @@
 
 namespace raceway::friction::contact {
 
-/// Points and weights for integrals over an ellipse under Hertz pressure, on the half x > 0. The
-/// half axes are b along x and a along y, and p0 is the peak pressure.
+/// Points and weights for integrals over an ellipse under Hertz pressure. The points lie in the
+/// half x > 0. The half axes are b along x and a along y, and p0 is the peak pressure.
 ///
 ///   x = b r cos θ,  y = a r sin θ,  r² = 1 - s²,  p = p0 s,  dx dy = a b s ds dθ
 ///
-/// The points are Gauss points in s from 0 to 1 and midpoints in θ from -π/2 to π/2. No point lies
-/// at the centre, where θ is undefined, or at the rim, where the pressure p falls to zero with
-/// infinite slope over r. The sum over θ is exact for x^i y^j if i + j is even and at most
-/// 2 Angles - 2. The sum over s is exact for p r^(2 n) if n is at most Radial - 2.
+/// The points are `Radial` Gauss points in s from 0 to 1, combined with `Angles` midpoints in θ
+/// from -π/2 to π/2. No point lies at the centre, where θ is undefined, or at the rim, where the
+/// pressure p falls to zero with infinite slope over r. The sum over θ is exact for x^i y^j if i +
+/// j is even and at most 2 Angles - 2. The sum over s is exact for p r^(2 n) if n is at most Radial
+/// - 2.
 template <std::size_t Radial, std::size_t Angles>
 struct EllipsePoints {
   std::array<double, Radial> s{};       ///< s = p/p0, pressure divided by peak pressure [1]

@@ -7,7 +7,8 @@
 
 namespace raceway::friction::contact {
 
-/// Inputs of the film and rolling laws: a rolling contact and the oil at its inlet.
+/// Inputs of the laws for film thickness and rolling resistance: a rolling contact and the oil at
+/// the inlet.
 struct RollingInlet {
   double viscosity = unset;           ///< η of the oil at ambient pressure [Pa s]
   double pressure_viscosity = unset;  ///< α [1/Pa]
@@ -19,8 +20,8 @@ struct RollingInlet {
 
 /// Film thickness of a point contact [m].
 struct Film {
-  double central = 0.0;  ///< h_c, at the centre
-  double minimum = 0.0;  ///< h_min, at the sides
+  double central = 0.0;  ///< h_c, thickness at the centre of the contact
+  double minimum = 0.0;  ///< h_min, thickness at the sides of the contact
 };
 
 /// Film thickness of a flooded elliptical contact without inlet heating [m].
@@ -29,7 +30,7 @@ struct Film {
 ///   h_min/R_x = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
 ///   U = η u/(E' R_x),   G = α E',   W = Q/(E' R_x²),   k = a/b of the exact ellipse
 ///
-/// Source:   [HamrockDowson1977], as in several public programs that agree.
+/// Source:   [HamrockDowson1977], with constants as in several public programs.
 /// Domain:   Q > 0, rolling along the short axis of the ellipse; the film is zero at standstill.
 ///           The formula was fitted for U from about 1e-12 to 1e-11, W from 1e-7 to 1e-6, k from 1
 ///           to 8. In spindle bearings, U is up to ten times the largest fitted value.
@@ -48,22 +49,23 @@ struct Film {
 }
 
 /// Thermal loading of an inlet, L = η β u²/k_f [1]: the ratio of shear heating to conduction. η, β
-/// and k_f are the viscosity, viscosity slope and conductivity of OilState; u is the surface speed.
+/// and k_f are the viscosity, viscosity slope and conductivity of OilState; u is the mean surface
+/// speed of RollingInlet.
 [[nodiscard]] inline double thermal_loading(double viscosity, double viscosity_slope, double speed,
                                             double conductivity) {
   return viscosity * viscosity_slope * speed * speed / conductivity;
 }
 
-/// Share of the isothermal film that remains under inlet heating [1].
+/// Factor on the isothermal film thickness that accounts for inlet heating [1].
 ///
 ///   φ_T = 1/(1 + 0.1 (1 + 14.8 S^0.83) L^0.64)
 ///
 /// L is thermal_loading(). The slip ratio S = |u1 - u2|/u of the speeds u1 and u2 of both surfaces
 /// is zero for pure rolling.
-/// Source:   a published report on roller bearings; the original paper was not checked. Other texts
-///           have (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64) with the peak
-///           pressure p, which gives a thinner film.
-/// Domain:   L >= 0, S >= 0; the share is 1 at L = 0. Accuracy: 10 % up to L = 1; the formula is
+/// Source:   a published report on roller bearings; the original paper was not checked. Other
+///           publications use (1 - 13.2 p/E' L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), with the
+///           peak pressure p and the modulus E'. This other formula gives a thinner film.
+/// Domain:   L >= 0, S >= 0; the factor is 1 at L = 0. Accuracy: 10 % up to L = 1; the formula is
 ///           extrapolated above L = 1.
 [[nodiscard]] inline double thermal_film_factor(double loading, double slip_ratio = 0.0) {
   if (!(loading > 0.0)) return 1.0;
@@ -71,15 +73,15 @@ struct Film {
   return 1.0 / (1.0 + 0.1 * slip * std::pow(loading, 0.64));
 }
 
-/// Shares of the flooded film that remain in a starved contact [1].
+/// Factors on the flooded film thickness for a starved contact [1].
 ///
 ///   central  ((m - 1)/(m* - 1))^0.29,   m* = 1 + 3.06 ((R_x/b)² H_c)^0.58
 ///   minimum  ((m - 1)/(m* - 1))^0.25,   m* = 1 + 3.34 ((R_x/b)² H_min)^0.56,   H = h/R_x
 ///
 /// m is the distance from the contact centre to the edge of the oil, divided by b, the semi-minor
 /// axis of the ellipse. The film thickness h is the result of isothermal_film().
-/// Source:   [HamrockDowson1977, part 4], from memory; no print or program was found for a check.
-/// Domain:   m > 1. A share is 1 for m >= m*, so a film is never thicker than the flooded film.
+/// Source:   [HamrockDowson1977, part 4], not checked against the paper or a program.
+/// Domain:   m > 1. A factor is 1 for m >= m*, so a film is never thicker than the flooded film.
 struct StarvationFactors {
   double central = 1.0, minimum = 1.0;
 };
@@ -111,15 +113,15 @@ struct AsperityLaw {
   double B = 1.8, C = 1.2;
 };
 
-/// Share of the load that asperities carry [1]: 1 at standstill, near 0 on a full film.
+/// Share of the load that asperities carry [1]: 1 at standstill, near 0 with a full film.
 ///
 ///   φ = exp(-B Λ^C)
 ///
-/// Source:   [ZhouHoeprich1991], not checked against the print. The formula was read in a published
+/// Source:   [ZhouHoeprich1991], not checked against the paper. The formula comes from a published
 ///           simulation of roller bearings, which uses B = 2.32 and C = 0.97. B and C depend on the
-///           surface finish. The defaults 1.8 and 1.2 are from memory.
-/// Domain:   Λ >= 0. Accuracy: near Λ = 1, φ of different surface finishes differs by a factor of
-///           2.
+///           surface finish. The defaults 1.8 and 1.2 have no checked source.
+/// Domain:   Λ >= 0. Accuracy: near Λ = 1, the values of φ for different surface finishes differ by
+///           a factor of 2.
 [[nodiscard]] inline double asperity_share(double film_ratio, const AsperityLaw& law = {}) {
   if (!(film_ratio > 0.0)) return 1.0;
   return std::exp(-law.B * std::pow(film_ratio, law.C));

@@ -14,16 +14,13 @@ namespace raceway::friction::contact {
 /// The formula is in its published units [N m, m, N]. D is the ball diameter and Q the contact
 /// load. R_x and R_z are the equivalent radii along and across the rolling direction; E' is the
 /// modulus of the contact, E'_s the modulus of steel on steel.
-/// Source:   [Houpert2002] as quoted in [Balan2015, eq. 9]. Neither print was checked; the equation
-///           of Balan comes from notes on the paper. A public ball screw program also uses the
-///           ratio of radii in the bracket. The factor (E'_s/E')^(1/3) is derived: if the loss is
-///           proportional to the elastic work, M_h = (3/16) α Q b with the loss factor α. At a
-///           given shape of the ellipse, the semi-minor axis b is proportional to (Q R_x/E')^(1/3).
-///           This derivation assumes the same α, a few per cent, for steel and ceramic balls. For
-///           steel on steel, the factor is exactly 1.
+/// Source:   [Houpert2002] as quoted in [Balan2015, eq. 9]. Neither paper was checked. The factor
+///           (E'_s/E')^(1/3) is derived. The derivation assumes that the loss is the same fraction
+///           of the elastic work for steel and ceramic balls. For steel on steel, the factor is
+///           exactly 1.
 /// Domain:   Q >= 0, R_z >= R_x. The bracket in the formula is an approximation that falls to zero
 ///           at R_z/R_x = 1100, which needs a conformity f < 0.5006. Above R_z/R_x = 1100, the
-///           function returns zero, so that rolling never gains power.
+///           function returns zero.
 /// Trap:     R_z/R_x is a ratio of radii (25 to 33 at f = 0.52), not the axis ratio of the ellipse
 ///           (7 to 9).
 [[nodiscard]] inline double hysteresis_moment(double ball_diameter, double load,

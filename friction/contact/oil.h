@@ -30,17 +30,17 @@ struct OilDefaults {
   double density_15C;           ///< ρ15, density at 15 °C [kg/m³]
   double conductivity;          ///< k_f, thermal conductivity [W/(m K)]
   double limiting_traction;     ///< largest shear stress of the film divided by pressure [1]
-  double pressure_viscosity_s;  ///< s in α = s ν^t, with ν in mm²/s [1/GPa]
-  double pressure_viscosity_t;  ///< t in α = s ν^t [1]
+  double pressure_viscosity_s;  ///< s in pressure_viscosity(): α [1/GPa] = s ν^t, ν in mm²/s
+  double pressure_viscosity_t;  ///< t in pressure_viscosity(), exponent of ν [1]
 };
 
 /// Returns the default properties of a type of oil.
 ///
 /// Source:   textbook values of each type; s and t of the pressure-viscosity coefficient by
-///           [Gold2001]. All values are from memory and were not checked against a print.
-/// Accuracy: density 3 %, conductivity and pressure-viscosity coefficient 15 %, limiting traction
-///           30 %. At contact pressures below about 1.2 GPa, the limiting traction changes the
-///           torque of a spindle bearing by less than 0.1 %.
+///           [Gold2001]. The values were not checked against the publications.
+/// Accuracy: 3 % for the density, 15 % for conductivity and pressure-viscosity coefficient, 30 %
+///           for the limiting traction. At contact pressures below about 1.2 GPa, the limiting
+///           traction changes the torque of a spindle bearing by less than 0.1 %.
 [[nodiscard]] constexpr OilDefaults oil_defaults(OilType type) {
   switch (type) {
     case OilType::pao:
@@ -71,7 +71,7 @@ inline constexpr double density_slope = 6.5e-4;
 ///
 ///   α = s ν^t,   α [1/GPa], ν [mm²/s]; the code converts these units
 ///
-/// Source:   [Gold2001], from memory, not checked against the print. Domain: ν > 0.
+/// Source:   [Gold2001], not checked against the paper. Domain: ν > 0.
 /// Accuracy: α is accurate to 15 % for oils of one type. This error changes the friction of a
 ///           bearing by at most 4 %.
 [[nodiscard]] inline double pressure_viscosity(OilType type, double kinematic_viscosity) {
@@ -90,8 +90,8 @@ struct OilState {
   double conductivity = unset;         ///< k_f [W/(m K)]
 };
 
-/// Properties of an oil in addition to its viscosities. For NaN, oil_state() uses the default of
-/// the oil type.
+/// Properties of an oil in addition to its viscosities. If a property is NaN, oil_state() uses the
+/// default of the oil type.
 struct OilData {
   OilType type = OilType::mineral;
   double density_15C = unset;         ///< [kg/m³]
@@ -99,8 +99,8 @@ struct OilData {
   double pressure_viscosity = unset;  ///< α, independent of temperature [1/Pa]
 };
 
-/// Returns the properties of an oil at a temperature [K], with β = -d ln ν/dT - d ln ρ/dT. Domain:
-/// as for Lubricant.
+/// Returns the properties of an oil at a temperature [K]. Domain: as for Lubricant. With η = ν ρ, β
+/// is -d ln ν/dT - d ln ρ/dT.
 [[nodiscard]] inline OilState oil_state(const Lubricant& lubricant, const OilData& oil,
                                         double temperature) {
   const OilDefaults usual = oil_defaults(oil.type);

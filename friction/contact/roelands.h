@@ -13,10 +13,10 @@ namespace raceway::friction::contact {
 /// η0 is the viscosity at ambient pressure and α the pressure-viscosity coefficient. The slope of
 /// ln η at zero pressure is α, as in Barus' law. Above about 0.1 GPa the viscosity rises more
 /// slowly than in Barus' law.
-/// Source:   Roelands 1966, also in textbooks such as [Hamrock1994]; neither was checked. The
-///           formula was read in a published report on roller bearings.
-/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s, where Z has a pole. If η0 is
-///           not above this pole, the result is NaN (see roelands_holds()).
+/// Source:   Roelands 1966, also in textbooks such as [Hamrock1994]. These sources were not
+///           checked; the formula was taken from a published report on roller bearings.
+/// Domain:   p >= 0, α > 0 and η0 above e^-9.67 Pa s = 0.063 mPa s. For a lower η0, the result is
+///           NaN (see roelands_holds()).
 /// Accuracy: the viscosity is accurate to 10 % up to 0.5 GPa. Above 1 GPa the oil behaves like a
 ///           glass, see shear.h.
 class Roelands {
@@ -44,8 +44,8 @@ class Roelands {
   double viscosity_, log_, exponent_;
 };
 
-/// True if Roelands' law gives a finite viscosity for an oil with this η0 [Pa s]: if η0 is above
-/// e^-9.67 Pa s. Liquids with a lower viscosity are no lubricants.
+/// True if Roelands' law gives a finite viscosity for an oil with this η0 [Pa s]. η0 must be above
+/// e^-9.67 Pa s, which is true for all lubricants.
 [[nodiscard]] inline bool roelands_holds(double viscosity) {
   return std::log(viscosity) + 9.67 > 0.0;
 }

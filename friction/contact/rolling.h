@@ -10,17 +10,17 @@ namespace raceway::friction::contact {
 /// Oil supply of the contact inlets: flooded, or limited to the oil that the preceding ball leaves.
 enum class Inlet { flooded, limited };
 
-/// A loaded contact for rolling_force(): its inlet and its ellipse.
+/// Inlet and ellipse of a loaded contact, as input of rolling_force().
 struct RollingEllipse {
   RollingInlet inlet;
   double radius_across = unset;    ///< R_z, equivalent radius across rolling [m]
   double semi_major_axis = unset;  ///< a, across rolling [m]
-  double semi_minor_axis = unset;  ///< b [m]
+  double semi_minor_axis = unset;  ///< b, along rolling [m]
   double second_integral = unset;  ///< E(k), HertzContact::second_integral [1]
 };
 
-/// Moes' load parameter M of the ellipse, for rolling_force() [1]. If M is above about 10, the
-/// contact is elastohydrodynamic. If M is much smaller, the contact is rigid and isoviscous.
+/// Moes' load parameter M of a contact ellipse [1]. If M is above about 10, the contact is
+/// elastohydrodynamic. If M is much smaller, the contact is rigid and isoviscous.
 ///
 ///   M = β^0.25 κ W/U^0.75,   β = (4/π) E(k)/(1 + R_x/R_z),   κ = b/a,
 ///   U = 2 η u/(E' R_x),   W = Q/(E' R_x²)
@@ -43,10 +43,11 @@ struct RollingEllipse {
 ///
 /// IVR is the force of a rigid contact with isoviscous oil, and EHL the force of an
 /// elastohydrodynamic contact, both divided by E' R_x². U, W, β, κ and M are defined at
-/// moes_load(), and G = α E'. rolling_power() computes the power.
-/// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. The formula for limited inlets is
-///           Houpert's of 1987. [Balan2015, eqs. 1 to 5] gives the same formulas. The equations
-///           were read from a plain-text copy, not from the printed pages.
+/// moes_load(), and G = α E'. rolling_power() computes the power loss from F.
+/// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]. Houpert published the formula for
+///           limited inlets in 1987. [Balan2015, eqs. 1 to 5] gives the same formulas. The
+///           equations were read from a plain-text copy of the paper and not compared with the
+///           printed pages.
 /// Domain:   Q > 0. The force is zero at standstill, where its derivative with respect to speed is
 ///           infinite.
 /// Accuracy: the code agrees with the formula to rounding error. At spindle speeds, the forces for
@@ -76,7 +77,8 @@ struct RollingEllipse {
   return area * ((rigid - elastic) / (1.0 + moes_load(c) / 6.6) + elastic);
 }
 
-/// Power lost in the oil of one inlet, P = 2 F u [W], because F acts on both surfaces.
+/// Power lost in the oil of one inlet, P = 2 F u [W]. The factor 2 arises because the rolling force
+/// F acts on both surfaces. u is the mean surface speed.
 ///
 /// Source:   derived from the power integral of [BibouletHoupert2010, part 2, eq. 37]. The formula
 ///           agrees with the moment 6 r F of [Balan2015] for three balls between two plates, where
@@ -85,12 +87,12 @@ struct RollingEllipse {
   return 2.0 * force * speed;
 }
 
-/// Share of the rolling force that remains under inlet shear heating [1].
+/// Factor on the rolling force that accounts for inlet shear heating [1].
 ///
-///   φ = 1/(1 + 0.29 L^0.78),   L of thermal_loading()
+///   φ = 1/(1 + 0.29 L^0.78),   L = thermal_loading()
 ///
 /// Source:   [Aihara1987], on tapered rollers, as quoted in a published report; not checked against
-///           the print.
+///           the paper.
 /// Domain:   L >= 0; φ = 1 at L = 0. The measurements of the source reach about L = 5. Spindle
 ///           bearings reach L = 10, where the formula is extrapolated and reduces the rolling force
 ///           by nearly two thirds.

@@ -9,11 +9,12 @@
 namespace raceway::friction::contact {
 
 /// Shear stress τ at one point of a contact at the sliding speed v, as τ/v and dτ/dv [Pa s/m]. Both
-/// are finite at v = 0. Call at_pressure(p) of a shear law once for each pressure p; its result
-/// computes this response for any sliding speed.
+/// values are finite at v = 0. Each shear law has a function at_pressure(p), which returns a
+/// function object for the pressure p. The function object returns the ShearResponse for an
+/// argument v².
 struct ShearResponse {
   double secant;   ///< τ/v [Pa s/m]
-  double tangent;  ///< dτ/dv [Pa s/m], from 0 to τ/v
+  double tangent;  ///< dτ/dv [Pa s/m], between 0 and τ/v
 };
 
 /// Shear stress of an oil film with asperities that carry a share of the load [Pa].
@@ -22,14 +23,14 @@ struct ShearResponse {
 ///
 /// p is the pressure, v the sliding speed and h_c the central film thickness. τ0 is Eyring's
 /// stress, Γ the limiting traction, φ the result of asperity_share(), and μ the boundary friction
-/// coefficient. The small speed ε is 1e-6 of the rolling speed, far below any relevant slip. It
-/// makes the direction of τ smooth where v changes sign.
+/// coefficient. The small speed ε is 1e-6 of the mean surface speed, far below any relevant slip. ε
+/// makes τ a smooth function of the slip where the slip changes sign.
 /// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], not checked
-///           against the print. η(p) is Roelands' law.
+///           against the book. η(p) is Roelands' law.
 /// Domain:   v >= 0, p >= 0, h_c > 0; at φ = 1 (standstill), the film has no effect.
 /// Accuracy: the stress of a film is accurate to 30 % at pressures below 1 GPa. In bearings with a
-///           full film, the rolling resistance of the oil is about 98 % of the friction, and the
-///           shear stress of the film causes the rest.
+///           full film, this stress causes only about 2 % of the friction, and the rolling
+///           resistance of the oil about 98 %.
 struct FilmShear {
   Roelands viscosity;
   double film;               ///< h_c [m]
@@ -39,8 +40,8 @@ struct FilmShear {
   double boundary_friction;  ///< μ [1]
   double small_speed;        ///< ε [m/s]
 
-  /// Upper limit of η(p)/(h_c τ0), above the value of any real film [s/m]. The limit keeps
-  /// Roelands' values finite at unrealistic pressures.
+  /// Upper limit of η(p)/(h_c τ0) [s/m]. Without this limit, the viscosity would become infinite at
+  /// unrealistic pressures.
   static constexpr double glass = 1e30;
 
   struct Point {

@@ -10,8 +10,8 @@
 namespace raceway::friction::contact {
 
 /// Slip between ball and race in one contact, with x along rolling and y across. ω_roll is the
-/// relative rotation about the tangent across rolling, and ω_s about the contact normal. R is the
-/// radius of the deformed contact across rolling (ContactShape).
+/// relative angular velocity about the y axis, and ω_s about the contact normal. R is the radius of
+/// the deformed contact across rolling (ContactShape).
 ///
 ///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x
 struct SlipMotion {
@@ -19,27 +19,28 @@ struct SlipMotion {
   double rolling = 0.0, spin = 0.0;  ///< ω_roll, ω_s, signed [rad/s]
 };
 
-/// Resisting forces for the four components of a SlipMotion, and the derivatives of these forces.
+/// Friction forces and moments that resist the four components of a SlipMotion (v_x0, v_y0, ω_roll,
+/// ω_s), and their derivatives.
 ///
 ///   force_k = Σ τ·∂v/∂k,   slope_kl = ∂force_k/∂l = Σ ∂v/∂k·(dτ/dv)·∂v/∂l
 ///
-/// The indices k and l denote slip components. The shear stress τ is the gradient of a potential
-/// that is convex in the slip v. So the matrix of slopes is symmetric and has no negative
+/// The indices k and l denote two of the four components. Σ is the integral over the contact
+/// ellipse, and p is the contact pressure. The shear stress τ is the gradient of a potential that
+/// is convex in the slip v. Therefore, the matrix of slopes is symmetric and has no negative
 /// eigenvalue. The friction power is the sum of the four products of force_k and slip component k.
-/// These statements are valid for any set of integration points.
 struct SlipForces {
-  std::array<double, 4> force{};  ///< forces along, across [N], moments of rolling, spin [N m]
+  std::array<double, 4> force{};  ///< forces along x and y [N], moments of rolling and spin [N m]
   double slope[4][4] = {};        ///< slope_kl [N s/m], [N s] or [N m s]
   double power = 0.0;             ///< Σ τ v [W]
   double size = 0.0;              ///< Σ |τ| [N]
   double pressure_slip = 0.0;     ///< Σ p |v| [N m/s]
 };
 
-/// One loaded contact ellipse with any combination of the four slip components. In TractionField,
-/// rolling and spin are fixed.
+/// Loaded contact ellipse that computes friction forces for any combination of the four slip
+/// components. For a contact with fixed rolling and spin, use TractionField.
 ///
-/// Source:   slip field of TractionField.
-/// Domain:   Q > 0; any motion.
+/// Source:   slip by the equation of SlipMotion, as in TractionField.
+/// Domain:   contact load Q > 0; any motion.
 /// Accuracy: with 8 x 16 points of the ellipse, the power is accurate to 0.03 % with a film and to
 ///           0.3 % with dry friction.
 class SlippingContact {
@@ -53,7 +54,7 @@ class SlippingContact {
   [[nodiscard]] const SlidingEllipse& ellipse() const { return ellipse_; }
   [[nodiscard]] double pressed_radius() const { return pressed_radius_; }
 
-  /// Sets the speed below which the direction of dry friction is smoothed, as a multiple of
+  /// Sets the slip speed below which dry friction falls smoothly to zero, as a multiple of
   /// FilmShear::small_speed.
   void smooth(double times);
 

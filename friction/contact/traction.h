@@ -28,13 +28,14 @@ struct SlidingEllipse {
   }
 };
 
-/// Sliding velocity at the centre of a contact ellipse, v_x0 and v_y0 [m/s].
+/// Sliding velocity at the centre of a contact ellipse: v_x0 along rolling, v_y0 across [m/s].
 struct CentreSlip {
   double along = 0.0, across = 0.0;
 };
 
 /// Integrals over a contact ellipse (written Σ), and derivatives of the forces with respect to the
-/// slip velocity at the centre.
+/// slip velocity at the centre. τ is the shear stress, v the sliding velocity and p the contact
+/// pressure at a point.
 struct TractionSums {
   double along = 0.0, across = 0.0;  ///< Σ τ_x, Σ τ_y [N]
   double along_slope = 0.0;          ///< d(Σ τ_x)/dv_x0 [N s/m]
@@ -54,8 +55,9 @@ struct TractionSums {
 /// rotations ω_roll and ω_s and the radius R. One integral includes spin, differential and
 /// gyroscopic sliding, because their friction forces cannot be computed separately and added.
 /// Source:   derived. With dry friction, pure spin gives the moment (3/8) μ Q a E(k) of
-///           [Harris2006, vol. 2, ch. 5], and pure differential sliding gives the power 0.1611 μ Q
-///           ω_roll a²/(2 R).
+///           [Harris2006, vol. 2, ch. 5] (μ: friction coefficient, Q: contact load, E(k): see
+///           ContactShape). Pure differential sliding gives the power
+///           0.1611 μ Q ω_roll a²/(2 R).
 /// Domain:   Q > 0; the ellipse is small compared with the radii of ball and groove.
 /// Accuracy: with 16 x 32 points of the whole ellipse, the power is accurate to 0.03 % with a film
 ///           and to 0.2 % with dry friction.
@@ -67,10 +69,9 @@ class TractionField {
       points_[i] = shear.at_pressure(ellipse.peak_pressure() * grid().s[i]);
   }
 
-  /// Returns the sums over the whole ellipse. If `whole` is true, the function computes both
-  /// halves. If `whole` is false, it computes one half and doubles the sums. v_y0 must then be 0,
-  /// so that the other half is the mirror image, with equal force along rolling and opposite force
-  /// across.
+  /// Returns the integrals over the whole ellipse. If `whole` is false, the function integrates
+  /// over one half of the ellipse and doubles the result. v_y0 must then be 0, so that both halves
+  /// are symmetric.
   [[nodiscard]] TractionSums sums(const CentreSlip& centre, bool whole) const {
     const TractionSums right = half(centre, 1.0);
     if (whole) return added(right, half(centre, -1.0));
@@ -135,7 +136,7 @@ class TractionField {
   std::array<Point, Radial> points_{};
 };
 
-/// Traction of a contact, with the slip at its centre that the solver found.
+/// Traction of a contact, with the slip velocity at the contact centre. The solver finds this slip.
 struct Traction {
   bool converged = false;
   CentreSlip slip;               ///< v_x0, v_y0 [m/s]
@@ -145,16 +146,17 @@ struct Traction {
   double mean_slip = unset;      ///< mean sliding speed Σ p |v|/Q [m/s]
 };
 
-/// Value and slope of an increasing function, and `size`, a scale of the value such as Σ |τ|.
+/// Value and slope of an increasing function, with a reference value `size`, for example Σ |τ|.
+/// find_zero() accepts a value that is small compared with `size`.
 struct GrowingValue {
   double value, slope, size;
 };
 /// Finds the zero of an increasing function by Newton's method inside the bracket from `low` to
-/// `high`. `value(v)` returns a GrowingValue. `v` is the start value and receives the zero.
-/// Bisection replaces a step that does not halve the value, because dry friction changes direction
-/// within about a millionth of the rolling speed. The search ends if |value| <= tolerance * size,
-/// or if the bracket has shrunk to `tolerance` times its initial width. Returns false if neither
-/// happens within 200 steps.
+/// `high`. `value(v)` returns a GrowingValue. `v` is the start value and receives the zero. A
+/// bisection step replaces a Newton step that would leave the bracket, and follows a Newton step
+/// that did not halve the function value. The search ends when |value| <= tolerance * size, or when
+/// the width of the bracket is at most `tolerance` times the initial width. Returns false if the
+/// search has not ended after 200 steps.
 template <class Value>
 [[nodiscard]] bool find_zero(const Value& value, double low, double high, double& v,
                              double tolerance = 1e-11) {
@@ -175,9 +177,8 @@ template <class Value>
 }
 
 /// Finds the slip v_x0 along rolling at the contact centre for which the contact rolls freely, Σ
-/// τ_x = 0. The slip v_y0 across rolling is given. v_x0 lies between -ω_roll a²/(2 R) and 0,
-/// because differential slip is forward at the ends of the ellipse. Returns false if the search
-/// fails.
+/// τ_x = 0. The slip v_y0 across rolling is given. v_x0 lies between -ω_roll a²/(2 R) and 0.
+/// Returns false if the search fails.
 template <class Field>
 [[nodiscard]] bool find_free_rolling(const Field& field, bool whole, CentreSlip& slip) {
   const SlidingEllipse& e = field.ellipse();
@@ -209,8 +210,8 @@ template <class Field>
           .mean_slip = s.pressure_slip / load};
 }
 
-/// Traction of a freely rolling contact without a transverse force: Σ τ_x = 0, v_y0 = 0 (race
-/// control).
+/// Traction of a freely rolling contact without transverse force, as under race control: Σ τ_x = 0,
+/// v_y0 = 0.
 template <class Field>
 [[nodiscard]] Traction rolling_traction(const Field& field) {
   CentreSlip slip;
@@ -218,10 +219,10 @@ template <class Field>
   return traction_at(field, slip, false, found);
 }
 
-/// Traction of a freely rolling contact that creeps transversely until it balances a force T: Σ τ_x
-/// = 0, Σ τ_y = T [N]. The search does not converge if no slip up to 1 km/s balances T. Do not use
-/// this function for a ball under race control, because traction in a film cannot balance the
-/// gyroscopic moment of such a ball.
+/// Traction of a freely rolling contact that slips transversely, so that its transverse friction
+/// balances a force T: Σ τ_x = 0, Σ τ_y = T [N]. The search does not converge if no slip up to 1
+/// km/s balances T. Do not use this function for a ball under race control, because traction in a
+/// film cannot balance the gyroscopic moment of such a ball.
 template <class Field>
 [[nodiscard]] Traction holding_traction(const Field& field, double force) {
   if (force == 0.0) return rolling_traction(field);

@@ -16,8 +16,8 @@ namespace raceway::friction::contact {
 /// ball rotation times TurningBall::length().
 using Slips = std::array<double, 4>;
 
-/// One ball between its races: computes the speeds of the ball from four given slips, and the
-/// balance of its forces.
+/// Ball between its two races. The class computes the speeds of the ball from four given slips, and
+/// the net forces on the ball.
 class TurningBall {
  public:
   TurningBall(const bearing::Bearing& bearing, const bearing::BallEquilibrium& ball, double speed,
@@ -33,7 +33,7 @@ class TurningBall {
     couple_ = inertia / half_;
   }
 
-  /// Sets film and shear of both contacts, and the length that converts ω_R sin β to a speed.
+  /// Sets both contacts. length() becomes the mean of their semi-major axes.
   void set_contacts(const SlippingContact& inner, const SlippingContact& outer) {
     inner_ = inner;
     outer_ = outer;
@@ -45,13 +45,14 @@ class TurningBall {
   }
   [[nodiscard]] double length() const { return length_; }
 
-  /// Speeds of a ball with these slips:
+  /// Rotation and orbital speed of a ball [rad/s], calculated from its slips:
   ///
   ///   v_i = (ω - ω_m) ρ_i - (D/2)(A cos αi + B sin αi),   ρ_i = (d_m - D cos αi)/2
   ///   v_o = ω_m ρ_o - (D/2)(A cos αo + B sin αo),         ρ_o = (d_m + D cos αo)/2
   ///
-  /// ω is the shaft speed, ω_m the orbital speed. A, B and w_T are the components `along`, `across`
-  /// and `orbital` of the ball rotation, as in BallAttitude.
+  /// v_i and v_o are the slips along rolling (Slips), ω is the shaft speed and ω_m the orbital
+  /// speed. D is the ball diameter, d_m the pitch diameter, and αi and αo are the contact angles.
+  /// A, B and w_T are the components of the ball rotation, as in BallAttitude.
   struct Speeds {
     double along, across, orbital, cage;  // A, B, w_T, ω_m
   };
@@ -77,8 +78,8 @@ class TurningBall {
   /// Forces at given slips, with their derivatives for the Newton step.
   struct Look {
     SlipForces inner, outer;
-    std::array<double, 4> missing;  ///< net force along each of the four Slips; 0 in balance [N]
-    double size;                    ///< Σ|τ| of both contacts [N]
+    std::array<double, 4> missing;  ///< net force for each of the four Slips [N]; 0 in equilibrium
+    double size;                    ///< shear stress |τ|, integrated over both contacts [N]
     [[nodiscard]] double largest() const {
       double most = 0.0;
       for (const double x : missing) most = std::fmax(most, std::abs(x));
@@ -109,7 +110,7 @@ class TurningBall {
     return l;
   }
 
-  /// Newton step from the slips q; `l` is look(q).
+  /// Computes the Newton step from the slips `q`. `l` must be the result of look(q).
   [[nodiscard]] Slips step(const Slips& q, const Look& l) const {
     const Speeds v = speeds(q);
     double arm[2][4][4], a[4][4] = {}, b[4];
@@ -139,7 +140,8 @@ class TurningBall {
   }
 
   /// Power taken from the shaft by traction, ω (Σ τ_x ρ_i + Σ τ_x h cos αi + M_s sin αi) with h =
-  /// y²/(2 R) and the spin moment M_s of the inner contact [W].
+  /// y²/(2 R) and the spin moment M_s of the inner contact [W]. y, R and the stress τ_x along
+  /// rolling are explained in slip_forces.h; ω, ρ_i and αi at Speeds.
   [[nodiscard]] double shaft_power(const SlipForces& inner) const {
     return speed_ * (inner.force[0] * inner_radius_ + inner.force[2] * ci_ + inner.force[3] * si_);
   }
@@ -169,19 +171,20 @@ class TurningBall {
 
  private:
   [[nodiscard]] double pitch_radius() const { return inner_radius_ + half_ * ci_; }
-  /// Approximate slip v_x0 at which Σ τ_x is zero. This slip is not 0, because the
-  /// curved contact slips forward at the ends of the ellipse.
+  /// Returns the approximate slip v_x0 along rolling at which the traction force Σ τ_x of a contact
+  /// is zero. This slip is not 0, because the differential slip is forward at the ends of the
+  /// ellipse.
   static double free_rolling(const SlippingContact& contact, const SlipMotion& motion) {
     const double a = contact.ellipse().semi_major_axis;
     return -0.2 * motion.rolling * a * a / (2.0 * contact.pressed_radius());
   }
-  /// Derivatives of the orbital speed ω_m with respect to the slips q.
+  /// Returns the derivatives of the orbital speed ω_m with respect to the four Slips.
   [[nodiscard]] std::array<double, 4> cage_slope() const {
     return {-co_ * per_sum_, ci_ * per_sum_, 0.0,
             half_ * (ci_ * so_ - co_ * si_) * per_sum_ / length_};
   }
   /// Computes the derivatives of the SlipMotion of each contact (0: inner, 1: outer) with respect
-  /// to the slips q.
+  /// to the four Slips.
   void arms(double (&arm)[2][4][4]) const {
     const std::array<double, 4> cage = cage_slope();
     const std::array<double, 4> along{

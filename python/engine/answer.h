@@ -18,13 +18,13 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Measurements that Python keeps; null if there are none.
+/// Measurements that are an argument of a call from Python; null if the call has no measurements.
 using Data = std::shared_ptr<session::Source>;
 
 /// Name and values of each column. The values are in the units of record files.
 using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
 
-/// Result of a call, in the forms that Python needs: JSON, page, CSV, columns and notes.
+/// Result of a call: JSON document, HTML page, CSV table, columns and notes.
 struct EngineAnswer {
   std::string json{};
   std::function<std::string()> page{};
@@ -32,7 +32,7 @@ struct EngineAnswer {
   std::function<NamedColumns()> rows{};
   std::vector<record::Note> notes{}, warnings{};
   bool converged = true;
-  std::string refused{};  ///< reason why an effect was not added; empty if added
+  std::string refused{};  ///< reason why an effect was not added; empty otherwise
   session::FittedTexts fitted{};
 };
 
@@ -47,7 +47,7 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Converts values of a channel [SI] to the unit of this channel in files.
 [[nodiscard]] std::vector<double> in_unit(const record::Channel& channel,
                                           std::span<const double> si);
-/// Returns the columns as NumPy arrays, by name.
+/// Returns a dictionary of column names and NumPy arrays.
 [[nodiscard]] py::dict arrays_of(NamedColumns columns);
 
 /// Returns the options of calibrate, diagnose and similar functions from the keyword arguments
@@ -55,7 +55,8 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Python. Throws TypeError for other keywords. An argument that is None has no effect.
 [[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
 
-/// Runs `work` as an interruptible call from Python and adds the messages of `work` to the answer.
+/// Runs `work` for a call from Python and adds its messages to the answer. Python can interrupt the
+/// call.
 template <typename Work>
 EngineAnswer answered(const Waiting& waiting, std::atomic<bool>& cancelled,
                       const Progress& progress, const Work& work) {

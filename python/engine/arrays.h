@@ -19,12 +19,13 @@ namespace py = pybind11;
 /// Reference to an array of doubles in Python, with any shape and strides.
 using Doubles = py::array_t<double>;
 
-/// Returns a setting as the user entered it. The conversion to SI and back changes the last digit
-/// of a double. Without this function, a filter such as frame.speed_rpm == 1500 would find no rows.
+/// Rounds an input value, such as a speed, to 13 digits. The result is the number that the user
+/// entered. The conversion to SI and back can change the last digit of a double. Without rounding,
+/// a filter such as frame.speed_rpm == 1500 would find no rows.
 inline double as_entered(double value) { return record::with_digits(value, 13); }
 
-/// Returns the common shape of arrays, broadcast as in numpy. Throws text::InputError if the shapes
-/// have no common shape.
+/// Returns the common shape of arrays by the broadcasting rules of NumPy. Throws text::InputError
+/// if there is no common shape.
 inline std::vector<std::size_t> broadcast_shape(
     const std::vector<std::pair<std::string, Doubles>>& arrays) {
   std::size_t dimensions = 0;
@@ -51,8 +52,8 @@ inline std::vector<std::size_t> broadcast_shape(
   return shape;
 }
 
-/// Returns the numbers of an array without a copy. They are repeated along each dimension of
-/// `shape` that the array lacks or in which it has length 1.
+/// Returns a view of an array in the shape `shape`. The numbers are not copied. Along each
+/// dimension that the array lacks, or in which its length is 1, the view repeats the numbers.
 inline session::NumberArray number_array(const Doubles& array,
                                          const std::vector<std::size_t>& shape) {
   session::NumberArray numbers;

@@ -11,7 +11,7 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Displacement corrections that one file contains.
+/// File with corrections of one or more displacements.
 class EngineCorrection final : public EngineFile {
  public:
   EngineCorrection(const std::string& source, const std::string& text, const HeldFiles& held);
@@ -24,12 +24,13 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] std::vector<std::string> defaults() const override {
     return files::lines(file_.defaults);
   }
-  /// Returns the parameters of all displacements. If there are several displacements, each name
-  /// begins with the name of its displacement.
+  /// Returns the parameters of all corrections. If there are several displacements, the name of
+  /// each parameter begins with the name of its displacement.
   [[nodiscard]] std::vector<record::Parameter> parameters() const override;
   /// Returns the columns that a record needs for these corrections.
   [[nodiscard]] py::list inputs() const;
-  /// Returns the trust line of each displacement, such as "good", by column name.
+  /// Returns the level of trust in each correction, such as "good". The keys of the dictionary are
+  /// the column names of the displacements.
   [[nodiscard]] py::dict trust() const;
 
  private:

@@ -13,8 +13,8 @@
 
 namespace raceway::python {
 
-/// A model file that Python keeps. It never changes, so several threads may use it at the same
-/// time.
+/// Model file as a Python object. The object never changes, so several threads may use it at the
+/// same time.
 class EngineFile {
  public:
   virtual ~EngineFile() = default;
@@ -27,14 +27,16 @@ class EngineFile {
   [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
   /// Returns all parameters that a fit can change.
   [[nodiscard]] virtual std::vector<record::Parameter> parameters() const = 0;
-  /// Adds effects with Python functions, which a file cannot contain, to the model in `file`.
+  /// Adds the effects whose torque a Python function computes. They are added after reading,
+  /// because a model file cannot contain such effects.
   virtual void amend(files::ModelFile&) const {}
 
  protected:
   Heard heard_;
 };
 
-/// Files named by a model and kept by Python: name, path and text of each.
+/// Name, path and text of each file to which a model refers, such as a friction table. Python
+/// stores the texts.
 using HeldFiles = std::vector<std::tuple<std::string, std::string, std::string>>;
 
 [[nodiscard]] inline std::vector<files::NamedFile> named_files(const HeldFiles& held) {

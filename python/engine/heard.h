@@ -8,7 +8,7 @@
 
 namespace raceway::python {
 
-/// Keeps the notes of an answer for the caller to show.
+/// Stores the notes and warnings of a call, so that the caller can show them.
 struct Heard final : session::Messages {
   std::vector<record::Note> notes, warnings;
 

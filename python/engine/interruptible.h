@@ -19,7 +19,8 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Progress of a long calculation. The worker thread sets it, and the waiting thread reads it.
+/// Progress of a long calculation. The worker thread writes the progress, and the waiting thread
+/// reads the progress.
 class Progress {
  public:
   void set(double share, std::string_view step) {
@@ -41,14 +42,14 @@ class Progress {
 struct Waiting {
   double time_limit = std::numeric_limits<double>::infinity();  ///< [s]
   /// Python function that is called with the finished share of the work (0 to 1) and the name of
-  /// the current step, at most 20 times per second; None: no calls.
+  /// the current step, at most 20 times per second. If None, there are no calls.
   py::object progress = py::none();
 };
 
 /// Runs long work on a separate thread without the interpreter lock, so that other Python threads
-/// continue. The calling thread checks for signals. KeyboardInterrupt sets `cancelled`, which the
-/// work checks, and is raised after the end of the work. A time limit stops the work in the same
-/// way and raises TimeoutError.
+/// continue. The calling thread checks for signals. KeyboardInterrupt sets `cancelled`, so that the
+/// work ends early, and is raised after the end of the work. At the time limit, the function sets
+/// `cancelled` in the same way and raises TimeoutError.
 template <typename Work>
 auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const Waiting& waiting,
                    const Work& work) {

@@ -16,7 +16,8 @@
 
 namespace raceway::python {
 
-/// Model of a bearing, a shaft or a spindle, with user-made effects.
+/// Model of a bearing, a shaft or a spindle. The model can contain effects whose torque a Python
+/// function computes.
 class EngineModel final : public EngineFile {
  public:
   EngineModel(const std::string& source, const std::string& text, const py::list& own,
@@ -34,12 +35,14 @@ class EngineModel final : public EngineFile {
     return model::parameters(file_.model);
   }
   void amend(files::ModelFile& file) const override;
-  /// Returns the error band of the model from the covariance of the fitted parameters; empty unless
-  /// `wanted`. Throws text::InputError if the model file has no covariance.
+  /// Returns the confidence band of the model from the covariance of the fitted parameters. The
+  /// result is empty if `wanted` is false. Throws text::InputError if the model file has no
+  /// covariance.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// Returns "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;
-  /// Returns the text of the model file with the given parameter values, by name.
+  /// Returns the text of the model file with new parameter values. `values` contains the values by
+  /// parameter name.
   [[nodiscard]] std::string with_values(const py::dict& values) const;
 
  private:

@@ -11,17 +11,18 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// An effect whose torque a Python function computes: id, title, parameters and function.
-/// `function(columns, values)` returns the torque of each row [N mm].
+/// Effect whose torque a Python function computes. `function(columns, values)` returns the torque
+/// of each row [N mm].
 struct OwnEffect {
   effects::UserMadeEffect described;
   py::object function;
 
-  /// Returns the effect for a model, with its parameters.
+  /// Returns the effect as an entry of model::Model::effects.
   [[nodiscard]] effects::Effect effect() const;
 };
 
-/// Reads tuples (id, title, [(name, unit, value, lower, upper)], function).
+/// Reads user-defined effects from tuples (id, title, parameters, function), with a tuple (name,
+/// unit, value, lower, upper) for each parameter.
 [[nodiscard]] std::vector<OwnEffect> own_effects(const py::list& given);
 
 }  // namespace raceway::python

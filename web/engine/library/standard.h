@@ -5,7 +5,8 @@
 // source of the project (packages.cmake). Numbers are read and written with the same digits as with
 // libstdc++, because strtod and printf of musl round exactly.
 
-/// WebAssembly has none of the instruction sets that the numerical kernels test for.
+/// Replaces the test for instruction sets of the processor. WebAssembly has none of the instruction
+/// sets that the numerical kernels need.
 #define __builtin_cpu_supports(set) false
 
 #include <unistd.h>
@@ -22,8 +23,8 @@
 #include <string>
 #include <string_view>
 
-/// Renames a file if the new name is free, as on Linux. No other program runs here that could take
-/// the name first.
+/// Renames a file, but only if no file has the new name, like renameat2() of Linux. In the browser,
+/// no other program can create a file with this name at the same time.
 #define RENAME_NOREPLACE 1
 inline int renameat2(int, const char* from, int, const char* to, unsigned) {
   if (access(to, F_OK) != 0) return std::rename(from, to);
@@ -62,8 +63,8 @@ constexpr const char* end_of_number(const char* first, const char* last) {
   return power;
 }
 
-/// Reads infinity and not-a-number like from_chars. Returns the end of the word; nullptr for other
-/// words.
+/// Reads infinity and not-a-number like from_chars. Returns the end of the word, or nullptr if the
+/// text is neither infinity nor not-a-number.
 inline const char* end_of_word(const char* first, const char* last, double& value) {
   const bool negative = first != last && *first == '-';
   const char* const word = negative ? first + 1 : first;
@@ -114,7 +115,7 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
   return {first + size, errc()};
 }
 
-/// Writes the smallest number of digits that give exactly the same number when read.
+/// Writes the number with the fewest digits that give exactly the same number when read again.
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format format) {
   for (int precision = 0;; ++precision) {
     const to_chars_result written = to_chars(first, last, value, format, precision);

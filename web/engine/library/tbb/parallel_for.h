@@ -2,11 +2,12 @@
 
 #include <tbb/partitioner.h>
 
-// Loops of TBB for a single thread, for the engine of the workbench. Partitioners, arenas and
-// limits come from tests/threads/tbb.
+// Replacement for the parallel loops of TBB: the loops run in a single thread, for the engine of
+// the workbench in the browser. Partitioners, arenas and limits come from tests/threads/tbb.
 namespace tbb {
 
-/// Group of loops that TBB can cancel together. This replacement does not cancel loops.
+/// Replacement of the TBB class that can cancel a group of loops. This replacement does not cancel
+/// loops.
 struct task_group_context {
   enum kind { isolated };
   explicit task_group_context(kind) {}
