@@ -1,15 +1,16 @@
 """Calculate friction, kinematics and heat of spindle bearings, and find the missing effect of a model.
 
 A model is a TOML file, which the command ``raceway`` also uses. Names of arguments and results include the unit.
-Results equal the results of the command. Messages are also the same, but name arguments in place of flags.
+Results equal the results of the command. Messages are also the same, except that they name Python arguments instead
+of flags of the command.
 
 >>> import raceway
 >>> model = raceway.Model.new("S 6014 C")
 >>> model.solve(speed_rpm=[0, 6000, 12000], axial_load_N=300).friction_torque_Nmm.round(1)
 array([ 11.7, 293.7, 384.7])
 
-Models, records and results never change. Several threads can use them at the same time. Long calculations release
-the lock of the interpreter.
+Models, records and results never change. Several threads can use the same object at the same time. Long calculations
+release the global interpreter lock.
 """
 
 from typing import Any as _Any

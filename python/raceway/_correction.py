@@ -1,4 +1,4 @@
-"""Corrections of machines. A correction calculates the displacement over hours from signals that a control knows."""
+"""Corrections of machines. A correction calculates slow displacements of a machine from signals of the machine control."""
 
 from __future__ import annotations
 
@@ -56,9 +56,9 @@ class Correction(LoopModel):
     def new(cls, record: Record) -> Correction:
         """Create a correction for the displacements in a record over time. This correction is the starting point for `identify`.
 
-        The correction has a channel for each temperature, and its `text` marks each assumption. If raceway does not know
-        the name of a column, the correction contains a proposal in ``[columns]``. If the `Record` has a map of columns,
-        the correction uses this map.
+        The correction has a channel for each temperature, and its `text` marks each assumption. If the name of a
+        column is not a name of raceway, the table ``[columns]`` of the correction proposes a name. If `record` has a
+        map of columns, the correction uses this map.
 
         Warns
         -----
@@ -122,7 +122,8 @@ class Correction(LoopModel):
         record : Record
             Record with ``time_s``, the inputs and the displacement. Cells of the displacement can be empty.
         inputs : str or iterable of str, optional
-            Columns that can become channels, or ``"all"``. The program adds a column if this reduces the held-out error by more than 5 %.
+            Columns that can become channels, or ``"all"``. The program uses a column only if the column reduces the
+            held-out error by more than 5 %.
         order : int or (int, int)
             Number of lags of each channel, from 1 to 6. A pair gives the smallest and the largest number.
         lags_s : "auto" or iterable of float, optional
@@ -131,8 +132,8 @@ class Correction(LoopModel):
             the length of the record.
         baseline : {"regression", "arx"}, optional
             Simpler method to compare with the lags. ``"regression"`` fits the displacement to the inputs without a
-            delay. ``"arx"`` fits transfer functions with the least error one step ahead. The result contains this
-            error and the error of the simulation.
+            delay. ``"arx"`` fits transfer functions with the smallest prediction error one step ahead. The result
+            contains this error, and the error of a simulation that starts from the first readings of each run.
         validate : Record, optional
             Another record, on which the program tests the result.
         from_s, until_s : float, optional
@@ -192,7 +193,7 @@ class Correction(LoopModel):
         every_s : float, optional
             Shortest time between two readings that `learn` uses [s]. The other readings test the result.
         forget_s : float, optional
-            Time constant with which learned gains return to the gains of the model [s]. Default: 7 days.
+            Time constant of the return from learned gains to the gains of the model [s]. Default: 7 days.
         from_s, until_s : float, optional
             Time range of the readings that are evaluated: start and end, measured from the first row [s].
         """
@@ -209,7 +210,7 @@ class Correction(LoopModel):
         return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
 
     def join(self, *others: Correction) -> Correction:
-        """Return the sum of this correction and `others`. All of them must describe the same displacement.
+        """Return the sum of this correction and `others`. All corrections must describe the same displacement.
 
         The sum contains the channels, laws and effects of all corrections without changes. The offsets are added.
         Free parameters stay free. Fitted parameters get a prior from their fit. Delay elements and laws of step
@@ -233,7 +234,9 @@ class Correction(LoopModel):
         accept_untrusted: bool = False,
         overwrite: bool = False,
     ) -> Program:
-        """Return the correction as a program or a table for a control, independent of this package. If `path` is given, also write it to a file.
+        """Return the correction as a program or a table for a control, independent of this package.
+
+        If `path` is given, the method also writes the result to a file.
 
         Parameters
         ----------
@@ -246,15 +249,15 @@ class Correction(LoopModel):
             The first run of this record is stored in the file as a check. Without `record`, the file contains a
             synthetic check record.
         accept_untrusted : bool
-            True exports a correction even if its `trust` is "do not use, because ...".
+            True exports a correction even if its `trust` is "do not use, because ...", or if it has no channel and no
+            effect.
         overwrite : bool
             True replaces an existing file.
 
         Raises
         ------
         InputError
-            `accept_untrusted` is False, and the `trust` of a displacement is "do not use, because ..." or the correction has no channel and no
-            effect.
+            The correction needs `accept_untrusted`, but `accept_untrusted` is False.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")

@@ -56,7 +56,7 @@ def has_room(ax: Axes, own: bool) -> bool:
 
 
 def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = None, spacing: float = 0.5) -> None:
-    """Place the legend next to the axes if there is room for it. Otherwise, place it at the best position inside the axes."""
+    """Place the legend next to the axes if there is room for it. Otherwise, place the legend at the best position inside the axes."""
     entries = handles if handles is not None else ax.get_legend_handles_labels()[0]
     beside = has_room(ax, own)
     where: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "borderaxespad": 0.0} if beside else {"loc": "best"}

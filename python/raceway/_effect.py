@@ -14,12 +14,12 @@ from ._errors import InputError
 
 @dataclass(frozen=True)
 class Number:
-    """Number of an effect that a fit can determine.
+    """Parameter of an effect. A fit can determine the value.
 
     Attributes
     ----------
     value : float
-        Start value. An effect whose first number is 0 is a candidate of `diagnose`.
+        Start value. If the first number of an effect is 0, `diagnose` tests the effect.
     unit : str
         Unit of the value. ``"1"`` means no unit.
     lower, upper : float
@@ -54,7 +54,7 @@ class State:
 
 
 class Effect:
-    """Friction torque that you define as a Python function. You can use it like an effect of the catalogue.
+    """Friction torque that you define as a Python function. You can use this effect like an effect of the catalogue.
 
     Parameters
     ----------
@@ -62,10 +62,10 @@ class Effect:
         Name without blanks, dots, commas, semicolons and quotes. The name must not begin with =, +, - or @.
     torque : callable
         Function ``torque(state, **numbers)`` that returns the additional torque of every row [N mm], as an array or
-        one number. `State` describes the argument ``state``. The torque of a row must depend only on that row. The
-        torque must be 0 if the first number is 0. Several threads can call the function.
+        one number. `State` describes the argument ``state``. The torque of a row must depend only on the inputs of
+        this row. The torque must be 0 if the first number is 0. Several threads can call the function.
     numbers : mapping of str to Number, dict or float
-        Numbers that a fit can determine. The first number is the size of the effect.
+        Parameters that a fit can determine. The first parameter is the size of the effect.
     title : str
         Title of the effect in reports. Default: the first line of the docstring of `torque`, or the name of this function.
 

@@ -1,4 +1,4 @@
-"""Base class of models and corrections. The class reads and writes the files of both."""
+"""Base class of models and corrections. The class reads and writes model files and correction files."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ._results import _write
 
 
 class FromFile:
-    """Base class with the contents of a model file and of all files that this file names, as read at its creation."""
+    """Base class that stores the contents of a model file, and of all files that the model file names, when the object is created."""
 
     _engine: Any
     _called = "model"  # name of a text that has no name
@@ -34,7 +34,7 @@ class FromFile:
 
     @classmethod
     def from_text(cls, text: str, name: str | None = None) -> Self:
-        """Read a model from the text of a file. Messages contain `name`. The folder in `name` is used to find the files that the text names."""
+        """Read a model from the text of a file. Messages contain `name`. Other files in the text are searched in the folder of `name`."""
         return cls(cls._called if name is None else name, text)
 
     @property

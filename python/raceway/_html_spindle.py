@@ -193,7 +193,7 @@ def _least(rows: list[Row], key: str) -> list[str]:
 
 
 def _at(time_s: float | None) -> str:
-    """Return a time of a run in s, min or h, so that it has few digits."""
+    """Return a time of a run as text with few digits, in s, min or h."""
     if time_s is None:
         return "-"
     for size, unit in ((3600.0, "h"), (60.0, "min")):

@@ -22,7 +22,7 @@ class KinematicLaw(_Answer):
 
     @property
     def table(self) -> str:
-        """Monotone table of the curve as CSV. Use it in place of the law if the law does not fit the curve."""
+        """Monotone table of the curve as CSV. Use this table if the law does not fit the curve."""
         return self._answer.csv()
 
     def _repr_html_(self) -> str:

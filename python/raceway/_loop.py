@@ -93,15 +93,15 @@ class LoopModel(FromFile):
             Parameters to fit to the record before the comparison. For a correction, groups such as ``"gains"`` are
             allowed.
         zero : {"mean", "first", "none"}
-            Error that is subtracted from the predictions of each run, only for a correction: the mean error, the error of the first reading, or
-            nothing.
+            Only for a correction: error that is subtracted from the predictions of each run. ``"mean"``: mean error,
+            ``"first"``: error of the first reading, ``"none"``: nothing.
         channel : str, optional
             Column of the displacement to use if a file has several, such as ``"displacement_z_um"``.
         per_record : iterable of str
             Parameters that get a separate value for each record. Not available for a correction.
         rows : bool
-            True keeps the rows of a logger separate. False averages consecutive rows at equal speed and load to one
-            dwell, and a note reports this.
+            True uses every row. False averages consecutive rows at equal speed and load to one dwell, and a note
+            reports this.
         tolerance : str, optional
             Largest acceptable RMS error, such as ``"2Nmm"``.
         from_s, until_s : float, optional
@@ -141,7 +141,8 @@ class LoopModel(FromFile):
         record : Record or sequence of Record
             Measurements.
         profile : bool
-            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. The intervals need dozens of additional fits.
+            True adds 95 % intervals by profile likelihood for `Calibration.conf_interval`. This needs dozens of
+            additional fits.
         channel, per_record, rows, from_s, until_s
             These arguments have the same meaning as in `compare`.
 
@@ -183,7 +184,8 @@ class LoopModel(FromFile):
         pairs : bool
             True also tries combinations of effects. False tries only single effects and is faster.
         tried_before : int
-            Number of explanations that you have already tried on these data. The threshold of the gain rises with this number.
+            Number of explanations that you have already tried on these data. The threshold for a verdict rises with
+            this number.
         channel, per_record, rows, tolerance, from_s, until_s
             These arguments have the same meaning as in `compare`.
         time_limit_s : float, optional
@@ -222,8 +224,8 @@ class LoopModel(FromFile):
         Returns
         -------
         Addition
-            `Addition.refused` gives the reason if an effect does not improve the model. `Addition.model` contains
-            the effect in both cases.
+            If an effect does not improve the model, `Addition.refused` gives the reason. `Addition.model` always
+            contains the effects.
         """
         data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         ids = name_list("effects", effects)
@@ -234,7 +236,7 @@ class LoopModel(FromFile):
         return Addition(answer, self._fitted(answer, "".join(f" + {name}" for name in ids)))
 
     def check(self, record: Record, *, channel: str | None = None) -> Check:
-        """Report the levels and the noise of a record, the parameters that a fit can determine, and the effects that the record can test."""
+        """Report levels and noise of a record, the parameters that a fit can determine, and the effects that can be tested with the record."""
         data, options = asked(record, channel=channel)
         if len(data) > 1:
             raise TypeError("check: only one record is possible; call check for each record")

@@ -80,10 +80,10 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
             Dimensions of a bearing that is not in the catalogue.
         spindle : bool
             True creates a template of a spindle with three of these bearings. You can use the template without
-            changes. The `text` of the model marks each assumed number.
+            changes. The `text` of the model marks each assumption.
         oil : str, optional
             ISO VG grade of a mineral oil with viscosity index 100, such as ``"VG 32"``. The default is a thin
-            spindle oil. Replace it with the oil of your bearing.
+            spindle oil. Give the oil of your bearing here.
 
         Raises
         ------
@@ -129,13 +129,13 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         return self._engine.columns
 
     def with_values(self, values: Mapping[str, float]) -> Model:
-        """Return a copy of the model with new values. The rest of its text, including the comments, does not change.
+        """Return a copy of the model with new values. The rest of the file text, including the comments, does not change.
 
         Parameters
         ----------
         values : mapping of str to float
-            New values. A name is a name from `parameters`, or table and key of the file with a dot between them. The unit is the unit in
-            `parameters`, or the unit in the key.
+            New values. A name is a name from `parameters`, or the table and the key in the file, such as
+            ``"lubricant.viscosity_40C_mm2_s"``. The unit is given in `parameters` or in the key.
 
         Examples
         --------
@@ -182,8 +182,9 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         Parameters
         ----------
         speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm
-            Numbers or arrays. The arguments are combined by the broadcasting rules of numpy. Arrays of float64 are read without a copy, with any
-            strides. The model supplies the values of omitted arguments. For a shaft, `axial_load_N` is the external load, positive towards the tool.
+            Numbers or arrays. The arguments are combined by the broadcasting rules of numpy. Arrays of float64 are
+            not copied. The model supplies the values of omitted arguments. For a shaft, `axial_load_N` is the
+            external load, positive towards the tool.
         columns : sequence of str
             Names of the results to return, from `Model.columns`. An empty sequence returns all results.
         band : bool

@@ -83,7 +83,7 @@ def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequ
 
 
 def _across(values: np.ndarray, x: str) -> tuple[np.ndarray, str]:
-    """Return the values and the label of the abscissa. Time is in s, min or h, so that it has few digits."""
+    """Return the values and the label of the abscissa. Time is in s, min or h, so that the numbers have few digits."""
     if x != "time_s":
         return values, label_of(x)
     span = np.nanmax(values) - np.nanmin(values)

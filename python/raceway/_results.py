@@ -52,7 +52,7 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     @property
     def data(self) -> dict[str, Any] | None:
-        """Document of ``raceway solve --json`` for a single state. None for several states."""
+        """Document of ``raceway solve --json`` if the solution is a single state, otherwise None."""
         if self._data is None and self._document is not None:
             self._data = json.loads(self._document())
         return self._data
@@ -218,7 +218,7 @@ class _Answered(_Document):
 
     @property
     def warnings(self) -> list[Note]:
-        """Reasons to doubt the result, and messages about missing results."""
+        """Reasons to doubt the result, and reasons for missing results."""
         return self._answer.warnings
 
     def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
@@ -300,7 +300,7 @@ class Comparison(_Answer):
 
 
 class Check(_Answer):
-    """Report about the levels and the noise of a record, and about the effects that the record can test."""
+    """Report about the levels and the noise of a record, and about the effects that can be tested with the record."""
 
     def _repr_html_(self) -> str:
         from ._html_correction import check_html
@@ -339,8 +339,8 @@ class Calibration(_Fitted):
     Attributes
     ----------
     models : dict of str to Model
-        If each record has its own values (`per_record`), there is one model for each record, and its key is the name of the record. Otherwise, there
-        is one model with the name ``""``.
+        With `per_record`, the dict contains one model for each record, and the key is the name of the record.
+        Otherwise, the dict contains one model with the key ``""``.
     """
 
     @property
@@ -354,9 +354,9 @@ class Calibration(_Fitted):
         Returns
         -------
         pandas.DataFrame
-            ``value``, ``lower`` and ``upper`` in the ``unit`` of the parameter. ``open_lower`` and ``open_upper``
-            are True if the interval ends at a bound of the parameter. The limits of a parameter that the fit kept
-            constant are NaN.
+            Columns ``value``, ``lower`` and ``upper``, in the unit in the column ``unit``. ``open_lower`` or
+            ``open_upper`` is True if this end of the interval is a bound of the parameter. For a parameter that the
+            fit kept constant, both limits are NaN.
 
         Raises
         ------
@@ -454,7 +454,7 @@ def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:
 
 
 def write_files(files: Iterable[tuple[str | os.PathLike[str], str]], overwrite: bool) -> None:
-    """Write either all files or no file. A number is not a valid path, because Python would take it for the number of an open file."""
+    """Write either all files or no file. A number is not a valid path, because Python would interpret the number as an open file."""
     named = [(os.fsdecode(path), text) for path, text in files]
     for name, _ in named:
         if not overwrite and os.path.lexists(name):

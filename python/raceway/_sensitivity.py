@@ -160,8 +160,8 @@ class SensitivityQuestion:
         of : str or iterable of str
             Predictions to analyse: ``"torque"``, ``"heat"``, ``"displacement"``, ``"contact-angle"``,
             ``"stiffness"``, ``"pressure"``, ``"life"``, ``"preload"``, ``"temperature"``, or names of result columns.
-            Each kind of model supports some of these words. The message of the InputError lists them. Default:
-            ``"torque"`` for a bearing, and ``"displacement"`` for a shaft or a spindle.
+            Each kind of model supports only some of these words. For an unsupported word, the InputError lists the
+            supported words. Default: ``"torque"`` for a bearing, and ``"displacement"`` for a shaft or a spindle.
         spread : mapping
             Possible error of a datum in both directions, by the name of the datum: a number in the unit of the
             datum, or a percentage such as ``"10%"``. Default: 1 % of the value, 1 K for a temperature, 1 for a count,

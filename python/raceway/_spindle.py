@@ -148,7 +148,7 @@ class StepResponses(_OfSpindle):
         return [row["status"] for row in self.data["rows"] + self.data.get("load_rows", [])]
 
     def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[Note]:
-        """Write the correction that follows from these step responses. The file and its tables are in one folder.
+        """Write the correction that follows from these step responses: the model file, and table files in the same folder.
 
         Parameters
         ----------
@@ -158,8 +158,8 @@ class StepResponses(_OfSpindle):
             Law that describes K and T as functions of P: a table through all steps (``"curve"``), a power of P
             (``"power"``), or a straight line (``"line"``).
         lags : {"auto", "one", "two"}
-            Number of delay elements. ``"auto"`` uses one element if it fits all steps. Otherwise it uses two, unless a simulation of changing speeds
-            has a smaller error with one.
+            Number of delay elements. ``"auto"`` uses one element if it fits all steps. Otherwise, ``"auto"`` uses two
+            elements, unless one element has a smaller error in a simulation of changing speeds.
         overwrite : bool
             True replaces existing files.
 
@@ -198,7 +198,7 @@ class StepResponses(_OfSpindle):
         Returns
         -------
         dict
-            ``rms_um`` is the RMS error of the correction. ``largest_um`` is its largest error, at the time
+            ``rms_um`` is the RMS error of the correction. ``largest_um`` is the largest error, at the time
             ``time_of_largest_s``. ``lowest_um`` and ``highest_um`` give the range of the simulated displacement.
 
         Raises

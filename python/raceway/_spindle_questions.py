@@ -50,8 +50,9 @@ class SpindleQuestions:
         motor_power_W : float, optional
             Power of the motor. Only heat formulas that contain ``motor_power_W`` use this value.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers (or fewer) with the largest influence on the displacement of the nose at the
-            last speed. The calculation needs six additional steady states for each assumed number.
+            True adds ``data["assumptions"]``: up to five assumed numbers with the largest influence on the
+            displacement of the nose at the last speed. The calculation needs six additional steady states for each
+            assumed number.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 
@@ -124,8 +125,8 @@ class SpindleQuestions:
             Room temperature for all rows. Default: the column of `profile`. Without this column, the value of the
             model is used.
         assumptions : bool
-            True adds ``data["assumptions"]``: the five assumed numbers (or fewer) with the largest influence on the displacement of the nose in the
-            steady state at the highest speed.
+            True adds ``data["assumptions"]``: up to five assumed numbers with the largest influence on the
+            displacement of the nose in the steady state at the highest speed.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 
@@ -138,8 +139,8 @@ class SpindleQuestions:
         Raises
         ------
         InputError
-            The model is not a model of a spindle, the profile has no time, no speed or several runs or begins before 0 s, or the initial state
-            belongs to another spindle.
+            The model is not a model of a spindle, `profile` is invalid, or the initial state belongs to another
+            spindle. `profile` needs time and speed, must not begin before 0 s, and must be a single run.
         KeyboardInterrupt
             The user pressed Ctrl+C. The call stops and returns no result.
 
@@ -323,11 +324,12 @@ class SpindleQuestions:
         coolant : bool
             True if the coolant flows.
         load_cases : Record, optional
-            Step responses from another program, in place of a simulation. The columns are ``time_s``,
-            ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` if several steps have the same
-            size. With `load_cases`, the model can be any model of a shaft.
+            Step responses from another program. These step responses replace the simulation. The columns are
+            ``time_s``, ``axial_displacement_um``, ``power_W`` or ``speed_rpm``, and ``load_case`` if several steps
+            have the same size. With `load_cases`, the model can be any model of a shaft.
         temperature_C : float, optional
-            Lubricant temperature. The program uses it to calculate the power of load cases that give only a speed. Default: value of the model.
+            Lubricant temperature. With this temperature, the program calculates the power of load cases that give
+            only a speed. Default: value of the model.
         time_limit_s : float, optional
             Time limit [s]. After this time, the call stops and raises TimeoutError.
 

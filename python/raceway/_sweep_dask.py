@@ -37,7 +37,7 @@ def _dask() -> Any:
 
 
 def _security() -> Any:
-    """Return new keys, so that no other user of the computer can give work to the workers. Without python3-cryptography, warn and return None."""
+    """Return new keys, so that no other user of the computer can send tasks to the workers. Without python3-cryptography, warn and return None."""
     distributed = _dask()
     try:
         return distributed.security.Security.temporary()
@@ -132,10 +132,10 @@ def run_on(
     threads: int | None,
     done: Callable[[Slab, list[Outcome]], None],
 ) -> None:
-    """Let workers compute `slabs`, and call `done` for each finished slab, in any order.
+    """Compute `slabs` with the workers, and call `done` for each finished slab, in any order.
 
-    If a worker dies, Dask gives its slab to another worker. If a slab kills several workers, it is cut into
-    its items, which are computed one at a time. The item that kills workers gets an error in place of a value. The other items get their values.
+    If a worker process ends unexpectedly, Dask gives its slab to another worker. If a slab ends several workers, its
+    items are computed one at a time. An item that ends workers gets an error in place of a value.
     """
     distributed = _dask()
     mark = uuid.uuid4().hex[:12]
@@ -218,7 +218,7 @@ def _work(packed: bytes, part: bytes, threads: int | None) -> bytes:
 
 
 def _packed(function: Callable[[Any], Any], items: Sequence[Any], what: Any) -> bytes:
-    """Return the pickle of a function or of items. A worker can read it without the files of this script."""
+    """Return the pickle of a function or of items. A worker can read the pickle without the files of this script."""
     import cloudpickle
 
     own = _own_modules(function, items)

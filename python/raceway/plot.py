@@ -60,7 +60,7 @@ def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", mea
     Raises
     ------
     TypeError
-        `table` is not a table. For example, it is a list of tables.
+        `table` is not a table, for example a list of tables.
     ValueError
         The table has no rows, a column is missing, no point has a torque, or a setting that is not in `by` varies.
 

@@ -180,24 +180,24 @@ def run(
     Parameters
     ----------
     function : callable
-        Function of one item that returns numbers, arrays, text, or lists and dicts of them. The function must return the same value for the same
-        item, so take the seed of random numbers from the item.
+        Function of one item that returns numbers, arrays, text, or lists and dicts of them. The function must return
+        the same value for the same item, so derive random seeds from the item.
     items : iterable, or mapping of names to items
         Anything that can be pickled: models, corrections, records, numbers, paths.
     names : iterable of str, optional
         Names of the items, all different. The default is ``"1"``, ``"2"``, ...
     client : distributed.Client or str, optional
-        Workers of Dask (`workers` starts them), or the address of their scheduler
+        Client of Dask workers, such as the result of `workers`, or the address of a Dask scheduler
         (``"tcp://10.0.0.1:8786"``). Without a client the sweep runs in this process. A worker process computes
         one item at a time, so start one process per core.
     folder : path, optional
         Folder that stores every finished slab as data: numbers, arrays, text, or lists and dicts of them.
-        A repeated sweep continues with the missing slabs, also after KeyboardInterrupt or a power cut.
+        If you repeat an interrupted sweep, only the missing slabs are computed.
     slabs : int, optional
-        Number of parts. Each part goes to one worker and one file. The default is the number in `folder`. In a
-        new folder it is 32, or 8 per worker if there are more than four workers, but at most one part per item.
+        Number of parts. Each part goes to one worker and one file. The default is the number in `folder`. For a new
+        folder, the default is 32, or 8 per worker with more than four workers. There is at most one part per item.
     threads : int, optional
-        Cores for one item. The default is all cores in this process, and 1 in a worker of Dask.
+        Cores for one item. The default is all cores without Dask, and 1 in a worker of Dask.
     progress : callable, optional
         Function that receives the finished share and a few words. The function is called after each slab, or after each item
         without `client`.
@@ -210,7 +210,8 @@ def run(
     Raises
     ------
     InputError
-        The folder has slabs of another input, no scheduler answers at the address, or a worker has another version.
+        The folder has slabs of another input, no Dask scheduler answers at the address, or a worker has another
+        version of raceway.
     ImportError
         `client` is given, but Dask is not installed.
     KeyboardInterrupt

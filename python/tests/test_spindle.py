@@ -102,7 +102,7 @@ def test_a_clamping_force_is_that_of_the_command(root, tmp_path, document):
     assert states.data == document("spindle", str(path), "--steady", "--speed", "6000")
     faces = {s["name"]: s for s in states.data["steady"][0]["surfaces"]}
     assert faces["front_1_inner_front"]["pressure_MPa"] == pytest.approx(8000 / (np.pi / 4 * (82**2 - 70**2)), rel=1e-9)
-    with pytest.raises(raceway.InputError, match="there is no contact"):
+    with pytest.raises(raceway.InputError, match="the clamping force acts on no face"):
         raceway.Model.from_text(text.replace("[seat]", "[seat]\nouter_clamping_force_N = 5000"), "m.toml")
 
 
