@@ -95,9 +95,8 @@ Run setup_sensitivity(CLI::App& command) {
       .add_option("--spread", flags->spread,
                   "possible errors (plus or minus) as a list of NAME=ERROR, such as "
                   "ball_diameter_mm=0.01,viscosity_40C_mm2_s=10%; or a TOML file with errors under "
-                  "the keys of "
-                  "the model. Default: 1 %, 1 K for temperatures, 1 for counts such as ball_count, "
-                  "and sqrt(3) standard errors for fitted numbers")
+                  "the keys of the model. Default: 1 %, 1 K for temperatures, 1 for counts such as "
+                  "ball_count, and sqrt(3) standard errors for fitted numbers")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,

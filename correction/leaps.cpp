@@ -14,7 +14,7 @@ constexpr double ten_minutes = 600.0;
 constexpr std::size_t fewest_readings = 3, most_readings = 20;
 constexpr double of_median = 1.4826;  // standard deviation of what is normally distributed
 constexpr double unusual = 5.0;
-constexpr double longer_step = 2.0;
+constexpr double longer_step = 2.0;  // a clock that jitters, or one missing row; beyond it a gap
 constexpr std::size_t rows_of_one_speed = 3;
 
 /// Where the straight line through readings [first, last) stands at a time.

@@ -101,8 +101,7 @@ const Key heat_keys[]{
      "front_1 or rear_1"},
     {"position_mm", anywhere, "from the key \"at\"",
      "distance of the middle of the heated part behind the nose face; required with at = \"shaft\" "
-     "or \"housing\", "
-     "or if length_mm is given"},
+     "or \"housing\", or if length_mm is given"},
     {"length_mm", between(0.1, longest_mm, "mm"), "from the key \"at\"",
      "length of the heated part; required with at = \"shaft\" or \"housing\", or if position_mm is "
      "given"},

@@ -19,9 +19,11 @@ namespace {
 constexpr double most_seen = 0.9;        // share of the rise: above it nothing came loose
 constexpr double told_by_share = 0.15;   // below it the rise is no longer in the reading
 constexpr double two_ends_apart = 0.15;  // by which the shares at both ends may differ
-constexpr double error_of_rise = 0.3;    // of a reading above the room [K]
-constexpr Leap faint{.size = 0.25, .of_beside = 3.0};
-constexpr std::size_t most_ends = 6;  // that are tried where none shows
+// Of a reading above the room [K]: both sensors may be a last digit of 0.1 K off, and the air at
+// the sensor differs from the mean of the room.
+constexpr double error_of_rise = 0.3;
+constexpr Leap faint{.size = 0.25, .of_beside = 3.0};  // more than two last digits of 0.1 K
+constexpr std::size_t most_ends = 6;                   // that are tried where none shows
 constexpr double hour = 3600.0;
 
 /// The rows in which a sensor was loose, and which share of the rise it saw at both ends [1].
