@@ -212,20 +212,26 @@ namespace {
 
 /// What stands otherwise in a model than in its file, but for what model::parameters() has: the
 /// oil card, and the room that a correction of the temperature was found with.
-std::vector<KeyValue> changed_data(const model::Model& file, const model::Model& fitted) {
+std::vector<KeyValue> changed_data(const ModelFile& written, const model::Model& fitted) {
+  const model::Model& file = written.model;
   std::vector<KeyValue> changes;
   const auto add = [&](std::string key, double before, double after, std::string comment) {
     if (before != after && !std::isnan(after))
       changes.push_back({std::move(key), text::with_15_digits(after), std::move(comment)});
   };
   const friction::Lubricant &card = file.lubricant, &oil = fitted.lubricant;
-  const auto entered = [](double viscosity) {
-    return fmt::format("corrected by measurements; entered value: {:.6g}", viscosity / mm2_per_s);
+  // A guess that was fitted is still no data sheet: the next fit may change it again.
+  const auto add_viscosity = [&](const std::string& key, double before, double after) {
+    const bool guessed =
+        std::any_of(written.defaults.begin(), written.defaults.end(), [&](const UsedDefault& d) {
+          return d.origin == UsedDefault::Origin::marked && d.table == "lubricant" && d.key == key;
+        });
+    add("lubricant." + key, before / mm2_per_s, after / mm2_per_s,
+        fmt::format("{}corrected by measurements; entered value: {:.6g}",
+                    guessed ? "assumed; " : "", before / mm2_per_s));
   };
-  add("lubricant.viscosity_40C_mm2_s", card.viscosity_40C() / mm2_per_s,
-      oil.viscosity_40C() / mm2_per_s, entered(card.viscosity_40C()));
-  add("lubricant.viscosity_100C_mm2_s", card.viscosity_100C() / mm2_per_s,
-      oil.viscosity_100C() / mm2_per_s, entered(card.viscosity_100C()));
+  add_viscosity("viscosity_40C_mm2_s", card.viscosity_40C(), oil.viscosity_40C());
+  add_viscosity("viscosity_100C_mm2_s", card.viscosity_100C(), oil.viscosity_100C());
   const bool needs_room =
       std::any_of(fitted.effects.begin(), fitted.effects.end(),
                   [](const effects::Effect& e) { return e.description->uses_room; });
@@ -375,7 +381,8 @@ std::string with_law(std::string text, const model::Model& before, const model::
 std::string with_model(const ModelFile& file, const model::Model& found) {
   if (found.law != file.model.law) {
     ModelFile other = file;
-    other.text = with_law(without_covariance(file.text), file.model, found);
+    other.text =
+        with_law(without_covariance(file.text), file.model, model::with_corrected_data(found));
     const bool marked = other.text.starts_with(text::utf8_mark);
     other = parse_model(marked ? other.text.substr(text::utf8_mark.size()) : std::move(other.text),
                         file.source, file.files);
@@ -395,7 +402,7 @@ std::string with_model(const ModelFile& file, const model::Model& found) {
     text = with_effect(text, effect);
   }
   const std::vector<record::Parameter> written = model::parameters(file.model);
-  std::vector<KeyValue> changes = changed_data(file.model, fitted);
+  std::vector<KeyValue> changes = changed_data(file, fitted);
   for (const record::Parameter& p : model::parameters(fitted)) {
     const auto old = std::find_if(written.begin(), written.end(),
                                   [&](const record::Parameter& w) { return w.name == p.name; });

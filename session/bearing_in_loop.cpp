@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "effects/formula.h"
+#include "effects/oil_card.h"
 #include "files/subject.h"
 #include "files/suggest_columns.h"
 #include "fit/several_records.h"
@@ -187,6 +189,32 @@ model::Model with_usual_free(const files::ModelFile& file) {
   return model;
 }
 
+/// True of a file whose author has no data sheet of the oil.
+bool assumes_viscosity_slope(const files::ModelFile& file) {
+  return std::any_of(file.defaults.begin(), file.defaults.end(), [](const files::UsedDefault& d) {
+    return d.origin == files::UsedDefault::Origin::marked && d.table == "lubricant" &&
+           d.key == "viscosity_100C_mm2_s";
+  });
+}
+
+/// True where a record determines a number well enough to replace a guess of it.
+bool is_determined(const fit::Subject& subject, const record::Record& data,
+                   const std::string& name) {
+  // The viscosity indices 95 and 150 differ by 0.13. Our choice: the fit must know better.
+  constexpr double largest_std = 0.05;
+  try {
+    const verdict::Calibration found = verdict::calibrate_by_noise(subject, data);
+    const auto p = std::find_if(found.parameters.begin(), found.parameters.end(),
+                                [&](const record::Parameter& one) { return one.name == name; });
+    // An effect that is missing still widens the standard error; the verdict is without it.
+    const double by_misfit = std::isnan(found.reduced_chi_square) ? 1.0 : found.error_factor;
+    return found.converged() && p != found.parameters.end() && p->identifiable &&
+           p->std / by_misfit <= largest_std;
+  } catch (const std::invalid_argument&) {
+    return false;  // too few rows
+  }
+}
+
 class BearingInLoop final : public LoopModel {
  public:
   BearingInLoop(files::ModelFile file, Defaults defaults)
@@ -212,6 +240,25 @@ class BearingInLoop final : public LoopModel {
                                               const Names& per_record) const override {
     append(data.notes, tell_of_warm_starts(messages, *written_, data));
     return subject_of(written_->model(), data, per_record);
+  }
+
+  std::shared_ptr<const fit::Subject> with_assumed_free(
+      std::shared_ptr<const fit::Subject> prepared, const record::Record& data,
+      const Names& per_record) const override {
+    const std::string id(effects::ViscositySlope::id);
+    const std::vector<fit::Candidate> known = written_->candidates();
+    const bool possible = std::any_of(known.begin(), known.end(),
+                                      [&](const fit::Candidate& c) { return c.id == id; });
+    if (!assumes_viscosity_slope(file_) || written_->model().spindle || !possible ||
+        !prepared->lacks(id, data).empty() || !prepared->lacks_levels(id, data).empty())
+      return prepared;
+    const std::string factor =
+        fmt::format("{}.{}", id, effects::ViscositySlope::parameters.front().name);
+    model::Model wanted = model::model_of(*written_->with_candidates(std::array{id}));
+    wanted.free = prepared->free();
+    wanted.free.push_back(factor);
+    std::shared_ptr<const fit::Subject> subject = subject_of(wanted, data, per_record);
+    return is_determined(*subject, data, factor) ? subject : prepared;
   }
 
   Names meant(const Names& effects, const record::Record&) const override { return effects; }

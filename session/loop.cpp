@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "results/results.h"
 #include "session/loop.h"
 #include "text/error.h"
+#include "text/units.h"
 
 namespace raceway::session {
 namespace {
@@ -31,6 +34,71 @@ fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
   const std::shared_ptr<const fit::Subject> subject = model.as_written(data);
   if (subject->has_memory() || subject->approximates()) return {};
   return fit::average_dwells(data);
+}
+
+/// The model of a verdict; what its file assumes is fitted too where the record determines it.
+std::shared_ptr<const fit::Subject> of_verdict(const LoopQuestion& asked) {
+  return asked.model->with_assumed_free(asked.subject, asked.data, asked.per_record);
+}
+
+/// Parameters that only the model of a verdict has free.
+Names assumed_in(const LoopQuestion& asked, const fit::Subject& of_verdict) {
+  const Names given = asked.subject->free();
+  Names names = of_verdict.free();
+  std::erase_if(names, [&](const std::string& name) {
+    return std::find(given.begin(), given.end(), name) != given.end();
+  });
+  return names;
+}
+
+std::string id_of(const std::string& parameter) { return parameter.substr(0, parameter.find('.')); }
+
+/// What a fit has made of them.
+struct AssumedValues {
+  std::string text;        ///< the corrected data; empty where there are none
+  bool believable = true;  ///< each as far off as people guess wrong
+};
+
+constexpr double unchanged = 0.01;  // of a factor
+
+AssumedValues assumed_values(const LoopQuestion& asked, const fit::Subject& of_verdict,
+                             std::span<const record::Parameter> fitted) {
+  AssumedValues found;
+  for (const std::string& name : assumed_in(asked, of_verdict))
+    for (const record::Parameter& p : fitted) {
+      if (p.name != name) continue;
+      if (std::abs(p.value - p.neutral) < unchanged) continue;
+      found.text +=
+          (found.text.empty() ? "" : ", ") + of_verdict.correction(id_of(name), {&p.value, 1});
+      found.believable &= p.value >= p.plausible_lower && p.value <= p.plausible_upper;
+    }
+  return found;
+}
+
+void tell_of_assumed(const AssumedValues& values, std::vector<record::Note>& messages) {
+  if (values.text.empty()) return;
+  messages.push_back(record::note::check_data(fmt::format(
+      "the model marks viscosity_100C_mm2_s as assumed, so the fit also changed this value: {}; "
+      "enter the value of the oil data sheet and remove the mark",
+      values.text)));
+}
+
+/// A temperature that nobody assigned hides in the noise, or as another effect.
+void tell_of_no_temperature(const record::Record& data, std::vector<record::Note>& messages) {
+  const bool filled_in =
+      std::any_of(data.notes.begin(), data.notes.end(), [](const record::Note& note) {
+        return note.code == &record::note::filled_in && note.place.key == record::temperature.name;
+      });
+  if (!filled_in) return;
+  for (const record::Column& column : data.columns)
+    if (column.channel->role == record::Role::kept &&
+        text::find_unit(column.channel->unit, text::Dimension::temperature))
+      messages.push_back(record::note::limits(
+          fmt::format("the model uses one temperature for all rows, but the record has the "
+                      "temperature {}: if it is the temperature of the oil, assign it to "
+                      "temperature_C in [columns]",
+                      column.channel->name),
+          {.key = std::string(record::temperature.name)}));
 }
 
 /// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
@@ -56,7 +124,8 @@ void average(Messages& messages, const LoopModel& model, record::Record& data, b
 
 LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Source>& data,
                  const LoopOptions& options) {
-  LoopQuestion asked{.model = open_loop_model(messages, model, options)};
+  LoopQuestion asked{.model = open_loop_model(messages, model, options),
+                     .per_record = options.per_record};
   asked.data = asked.model->read(messages, options.reading.sources(data), options.reading);
   average(messages, *asked.model, asked.data, options.rows);
   asked.subject = asked.model->for_fit(messages, asked.data, options.per_record);
@@ -73,16 +142,34 @@ verdict::Calibration calibrate(const LoopQuestion& asked,
 }
 
 verdict::Diagnosis diagnose(const LoopQuestion& asked, const verdict::DiagnoseOptions& options) {
-  verdict::Diagnosis found = with_data(asked.source(), asked.data, [&] {
-    return loop::diagnose(*asked.subject, asked.data, options);
+  verdict::Diagnosis found;
+  with_data(asked.source(), asked.data, [&] {
+    const std::shared_ptr<const fit::Subject> subject = of_verdict(asked);
+    found = loop::diagnose(*subject, asked.data, options);
+    const AssumedValues values = assumed_values(asked, *subject, found.base);
+    if (!values.believable)
+      found = loop::diagnose(*asked.subject, asked.data, options);
+    else
+      tell_of_assumed(values, found.messages);
   });
+  tell_of_no_temperature(asked.data, found.messages);
   tell_of_scale(asked.data, found.messages);
   return found;
 }
 
 verdict::AddResult add(const LoopQuestion& asked, const Names& effects) {
   verdict::AddResult found = with_data(asked.source(), asked.data, [&] {
-    return loop::add(*asked.subject, asked.model->meant(effects, asked.data), asked.data);
+    const Names ids = asked.model->meant(effects, asked.data);
+    std::shared_ptr<const fit::Subject> subject = of_verdict(asked);
+    for (const std::string& name : assumed_in(asked, *subject))
+      if (std::find(ids.begin(), ids.end(), id_of(name)) != ids.end()) subject = asked.subject;
+    verdict::AddResult result = loop::add(*subject, ids, asked.data);
+    const AssumedValues values = assumed_values(asked, *subject, result.calibration.parameters);
+    if (!values.believable)
+      result = loop::add(*asked.subject, ids, asked.data);
+    else
+      tell_of_assumed(values, result.messages);
+    return result;
   });
   tell_of_scale(asked.data, found.messages);
   return found;
@@ -166,6 +253,11 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
       return model->compared(messages, result.data, how, options.per_record);
     }));
   }
+  if (result.models.front().beyond && how.refit.empty() && how.zero != "none")
+    messages.say(record::note::assumed(
+        how.zero == "first" ? "each run is compared with its first error subtracted (--zero first)"
+                            : "each run is compared with its mean error subtracted; --zero none "
+                              "keeps the mean error"));
   // The noise is that of the data: one for all models, by the last.
   for (ComparedModel& model : result.models)
     verdict::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);

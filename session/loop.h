@@ -14,9 +14,9 @@
 #include "verdict/calibrate.h"
 #include "verdict/diagnose.h"
 
-/// Compares a model with measurements, finds missing effects, and calculates how much they improve
-/// the model. The command-line program and the Python and C++ interfaces use these functions. The
-/// functions accept every kind of model file.
+/// Compares a model with measurements, finds missing effects, and calculates how much these effects
+/// reduce the error of the model. The command-line program and the Python and C++ interfaces use
+/// these functions. The functions accept every kind of model file.
 namespace raceway::session {
 
 /// Model, and measurements for a fit or a diagnosis of this model.
@@ -24,6 +24,7 @@ struct LoopQuestion {
   std::shared_ptr<const LoopModel> model;
   record::Record data{};
   std::shared_ptr<const fit::Subject> subject{};  ///< model prepared for a fit to the record
+  Names per_record{};  ///< parameters that are fitted separately for each record
 
   [[nodiscard]] const std::string& source() const { return model->about().source; }
 };
@@ -35,7 +36,9 @@ struct LoopQuestion {
 
 /// These functions calibrate the model, diagnose its misfit, add effects to it, and predict the
 /// readings of the record. In add(), `effects` contains the names of the effects to add, as the
-/// user entered them. The functions throw the same exceptions as the functions in loop/loop.h, and
+/// user entered them. diagnose() and add() also fit values that the model file marks as assumed
+/// (LoopModel::with_assumed_free()), and their results name these values. The functions throw the
+/// same exceptions as the functions in loop/loop.h, and
 /// text::InputError if the data are not suitable.
 [[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
                                              const verdict::CalibrateOptions& options = {});

@@ -68,6 +68,11 @@ LoopModel::About describe(Messages& messages, const Source& file, const LoopOpti
   return about;
 }
 
+std::shared_ptr<const fit::Subject> LoopModel::with_assumed_free(
+    std::shared_ptr<const fit::Subject> prepared, const record::Record&, const Names&) const {
+  return prepared;
+}
+
 Names records_apart(const fit::Subject& subject) {
   const auto* const several = dynamic_cast<const fit::SeveralRecords*>(&subject);
   if (!several || several->own().empty()) return {};

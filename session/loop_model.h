@@ -65,9 +65,9 @@ struct CompareOptions {
 struct FittedTexts {
   Names records{};  ///< names of the records; empty if one model covers all records
   std::vector<std::string> texts{};
-  /// Fitted parameters of effects that correct a value of the model file, such as a viscosity of
-  /// the oil. The new model file contains the corrected value instead of the effect. If the list is
-  /// not empty, the new model file does not contain the covariance of the fit.
+  /// Fitted parameters of effects that correct a value of the model file, such as the oil
+  /// viscosity. The new model file contains the corrected value instead of the effect. If the list
+  /// is not empty, the new model file does not contain the covariance of the fit.
   Names corrected_data{};
   /// An effect that a Python or C++ program has defined and that a model file cannot express.
   /// `values` contains the fitted parameter values of the effect.
@@ -124,8 +124,16 @@ class LoopModel {
   /// if `per_record` is not valid.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> for_fit(
       Messages& messages, record::Record& data, const Names& per_record) const = 0;
-  /// Returns the ids of effects. `effects` contains names as the user entered them. Throws
-  /// std::invalid_argument if a name is ambiguous.
+  /// Returns the model for a diagnosis or an addition of effects. `prepared` is the result of
+  /// for_fit() for the same record and the same `per_record`. If the file marks a value as assumed,
+  /// and the record determines this value, the value is a free parameter of the returned model.
+  /// Default: returns `prepared`.
+  [[nodiscard]] virtual std::shared_ptr<const fit::Subject> with_assumed_free(
+      std::shared_ptr<const fit::Subject> prepared, const record::Record& data,
+      const Names& per_record) const;
+  /// Returns the ids of the effects in `effects`, a list of names as the user entered them. A model
+  /// that is not a correction returns `effects` unchanged. Throws std::invalid_argument if a name
+  /// is ambiguous.
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
   /// Sends notes about differences between this model and `first`, the first model of a comparison,

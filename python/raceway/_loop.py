@@ -175,7 +175,9 @@ class LoopModel(FromFile):
     ) -> Diagnosis:
         """Find the missing physical effect of the model, or the measurements that can identify it.
 
-        The diagnosis of a correction compares the held-out error with the tolerance.
+        The diagnosis of a correction compares the held-out error with the tolerance. If the model marks
+        ``viscosity_100C_mm2_s`` as assumed, and the record determines this value, the fit also changes it. A warning
+        then gives the fitted value.
 
         Parameters
         ----------

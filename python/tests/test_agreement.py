@@ -154,7 +154,7 @@ def test_a_file_as_a_german_excel_writes_it():
     columns = model.suggest_columns(raceway.Record.read(path))
     found = model.diagnose(raceway.Record.read(path, columns=columns, drop_nan=True))
     assert found.effects == ["lubricant-drag"]  # as README has it from the command
-    assert "60.5 +- 0.5 N mm" in found.data["sentence"]
+    assert "60.6 +- 0.61 N mm" in found.data["sentence"]
 
 
 def test_a_page_is_that_of_the_command(program, root, tmp_path):

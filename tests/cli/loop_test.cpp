@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -46,6 +48,74 @@ TEST(Loop, NamesTheMissingEffectAndAddsIt) {
   ASSERT_EQ(ladder.status, 0) << ladder.err;
   const json models = json::parse(ladder.out)["models"];
   EXPECT_LT(models[1]["rmse"].get<double>(), 0.25 * models[0]["rmse"].get<double>());
+}
+
+/// The model of a given rig whose oil is a guess, 8 % thinner at 100 C than the oil in the bearing.
+std::string with_guessed_oil(const std::string& folder) {
+  std::string text = file_text(folder + "model.toml");
+  const std::string entered = "viscosity_100C_mm2_s = 5.9";
+  return text.replace(text.find(entered), entered.size(),
+                      "viscosity_100C_mm2_s = 5.4 # assumed: a mineral oil of viscosity index 100");
+}
+
+/// A guess of the oil neither hides the effect of dev-03 nor gives dev-04 the name of another one;
+/// with 5.4 as a known value it does both.
+TEST(Loop, AGuessedOilHidesNoEffect) {
+  const ScratchFolder scratch;
+  for (const auto& [rig, effect] :
+       {std::pair{"dev-03", "lubricant-drag"}, std::pair{"dev-04", "inlet-shear-heating"},
+        std::pair{"dev-05", "thermal-preload"}}) {
+    const std::string folder = tests::source_dir() + "/tests/hidden_effect/rigs/" + rig + "/";
+    const std::string model = scratch.write("guessed.toml", with_guessed_oil(folder));
+    const json d = json::parse(run("diagnose " + model + " " + folder + "train.csv --json").out);
+    EXPECT_EQ(d["verdict"], "effect") << rig;
+    EXPECT_EQ(d["effects"][0]["id"], effect) << rig;
+    EXPECT_THAT(d["messages"].dump(), HasSubstr("instead of the entered 5.4; enter the value"))
+        << rig;
+  }
+}
+
+/// The fitted value stands in the new file and stays a guess; a confirmed value stays as it is.
+TEST(Loop, AddWritesAGuessedOilAsItWasFitted) {
+  const ScratchFolder scratch;
+  const std::string guessed = scratch.write("guessed.toml", with_guessed_oil(rig_folder_of_loop));
+  const std::string data = rig_folder_of_loop + "train.csv", better = scratch.file("better.toml");
+  const Result added = run("add " + guessed + " lubricant-drag --data " + data + " -o " + better);
+  ASSERT_EQ(added.status, 0) << added.err;
+  const std::string text = file_text(better);
+  const std::string key = "viscosity_100C_mm2_s = ";
+  EXPECT_NEAR(std::stod(text.substr(text.find(key) + key.size())), 5.9, 0.12);  // two sigma
+  EXPECT_THAT(text, HasSubstr("# assumed; corrected by measurements; entered value: 5.4\n"));
+  EXPECT_THAT(text, Not(HasSubstr("viscosity-slope")));
+
+  const Result known = run("add " + rig_folder_of_loop + "model.toml lubricant-drag --data " +
+                           data + " -o " + scratch.file("known.toml"));
+  EXPECT_THAT(file_text(scratch.file("known.toml")), HasSubstr("viscosity_100C_mm2_s = 5.9\n"));
+}
+
+/// At one temperature, nothing tells a guess from f0: the guess stays.
+TEST(Loop, AGuessThatTheRecordCannotTellStays) {
+  const ScratchFolder scratch;
+  std::string record = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
+  for (const int load : {300, 1000, 3000})
+    for (int speed = 1000; speed <= 12000; speed += 1000)
+      record += fmt::format("{},{},40,{}\n", speed, load,
+                            std::pow(speed, 0.667) * 0.4 + 0.05 * load + speed % 7);
+  const std::string model = scratch.write("guessed.toml", with_guessed_oil(rig_folder_of_loop));
+  const Result found = run("diagnose " + model + " " + scratch.write("r.csv", record) + " --json");
+  ASSERT_EQ(found.status, 0) << found.err;
+  EXPECT_THAT(found.out, Not(HasSubstr("viscosity-slope.factor_at_100_C")));
+}
+
+/// A temperature that is in the file and not in the map is named.
+TEST(Loop, AForgottenTemperatureIsNamed) {
+  const ScratchFolder scratch;
+  std::string record = file_text(rig_folder_of_loop + "train.csv");
+  const std::string ours = "temperature_C";
+  record.replace(record.find(ours), ours.size(), "Lager [C]");
+  const Result found =
+      run("diagnose " + rig_folder_of_loop + "model.toml " + scratch.write("train.csv", record));
+  EXPECT_THAT(found.err, HasSubstr("the record has the temperature Lager [C]"));
 }
 
 /// Lines of a diagnosis in a terminal of 80 columns, without blanks at its end.
