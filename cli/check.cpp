@@ -57,6 +57,11 @@ int run(const CheckFlags& flags) {
       fmt::print("\n");
     }
     print_defaults(checked.model.source, checked.model.defaults);
+    if (!checked.over_time && checked.check.problem.empty() && flags.data != "-" &&
+        flags.model != "-")
+      fmt::print(
+          "\nnext step: raceway diagnose {} {}{}\n", flags.model, flags.data,
+          flags.loop.reading.columns.empty() ? "" : " --columns " + flags.loop.reading.columns);
   }
   if (!flags.output.empty())
     flags.csv.put(flags.output, results::record_text(checked.data), flags.if_exists(),
@@ -86,7 +91,8 @@ Run setup_check(CLI::App& command) {
   command
       .add_flag("--suggest-columns", flags->suggest,
                 "only propose a map from the columns of the file to the columns of raceway (TOML)")
-      ->excludes("--json");
+      ->excludes("--json")
+      ->excludes("--beside");
   for (const char* const of_data : {"--columns", "--drop-nan", "--beside", "--output"})
     command.get_option(of_data)->needs("DATA");
   command.footer(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "cli/error_text.h"
 #include "cli/text_table.h"
@@ -73,6 +74,33 @@ void print_noise(const correction::RecordCheck& c) {
                r.stops.size() - most_lines);
 }
 
+/// Effects with the same reason, in the order of the catalogue.
+void print_testable(const std::vector<loop::Check::Testable>& catalogue) {
+  constexpr std::size_t indent = 2;
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const loop::Check::Testable& t : catalogue) {
+    const std::string heading =
+        !t.ruled_out.empty() ? "not testable: " + t.ruled_out
+        : !t.missing.empty() ? "not testable: needs " + t.missing
+        : !t.levels.empty()
+            ? "testable, but difficult to separate from other effects without " + t.levels
+            : "testable";
+    const auto known = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& group) { return group.first == heading; });
+    if (known == groups.end())
+      groups.push_back({heading, {t.id}});
+    else
+      known->second.push_back(t.id);
+  }
+  for (const auto& [heading, ids] : groups) {
+    for (const std::string& line : filled("effects " + heading, terminal_width()))
+      fmt::print("{}\n", line);
+    for (const std::string& line :
+         filled(fmt::format("{}", fmt::join(ids, ", ")), terminal_width() - indent))
+      fmt::print("{:{}}{}\n", "", indent, line);
+  }
+}
+
 }  // namespace
 
 void print_check(const loop::Check& c, const record::Record& data) {
@@ -86,13 +114,7 @@ void print_check(const loop::Check& c, const record::Record& data) {
   for (const fit::Parameter& p : c.free)
     fmt::print("free parameter {}: {}\n", p.name,
                p.identifiable ? "can be fitted" : "these data do not determine it");
-  for (const loop::Check::Testable& t : c.catalogue)
-    fmt::print("effect {}: {}\n", t.id,
-               !t.ruled_out.empty() ? "not testable: " + t.ruled_out
-               : !t.missing.empty() ? "needs " + t.missing
-               : !t.levels.empty()
-                   ? "testable, but difficult to separate from other effects without " + t.levels
-                   : "testable");
+  print_testable(c.catalogue);
 }
 
 void print_settings_hold(record::SettingsHold hold) {
@@ -110,7 +132,11 @@ void print_settings_hold(record::SettingsHold hold) {
 }
 
 void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults) {
-  fmt::print("{}: {} assumption{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s");
+  const bool marked = std::any_of(defaults.begin(), defaults.end(), [](const auto& d) {
+    return d.origin == files::UsedDefault::Origin::marked;
+  });
+  fmt::print("{}: {} assumption{}{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s",
+             marked ? " (to confirm a marked value, delete its comment)" : "");
   for (const std::string& line : files::short_lines(defaults)) fmt::print("  {}\n", line);
 }
 

@@ -8,6 +8,7 @@
 namespace raceway::tests {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
@@ -111,7 +112,12 @@ TEST_F(Compare, CheckTellsWhatWasRead) {
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.out, HasSubstr("8 rows of friction torque\n"));
   EXPECT_THAT(r.out, HasSubstr("free parameter f0: can be fitted\n"));
-  EXPECT_THAT(r.out, HasSubstr("effect spin-friction: testable\n"));
+  const std::size_t testable = r.out.find("effects testable\n  ");
+  ASSERT_NE(testable, r.out.npos);
+  EXPECT_THAT(r.out.substr(testable, r.out.find("\neffects not testable: needs ") - testable),
+              HasSubstr(" spin-friction,"));
+  EXPECT_THAT(r.out, EndsWith("\nnext step: raceway diagnose " + model_ + " " +
+                              scratch_.file("rig.csv") + "\n"));
   const json d = parsed(with("check", data_text, "--json"));
   EXPECT_THAT(keys(d), IsSupersetOf({"quantity", "unit", "rows", "runs", "noise", "columns",
                                      "free_parameters", "effects", "defaults", "notes", "said"}));
