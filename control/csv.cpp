@@ -19,7 +19,7 @@ using DriveKind = ControlDrive::Kind;
 constexpr std::string_view formulas =
     R"(# One number per row. Displacements in um, temperatures in C, their rises in K, dt = time since the previous call in s.
 # rise   u = mean of (T - T at the first call) over the inputs, minus (T - T at the first call) of the reference
-# size   u = mean of the inputs x without sign; with an exponent, mean of x (x/1000)^(exponent - 1), with x at most highest
+# size   u = mean of the inputs x without sign; with an exponent, mean of x (x/1000)^(exponent - 1), above highest at most the tangent there
 # power  u = torque of the friction table [N mm] / 1000 * speed [rpm] * pi/30; the torque is interpolated linearly in the
 #        table, and outside the table it keeps the value at the edge
 # motor  u = exp(-speed/decay_speed) while the speed is above 0, else 0
@@ -62,7 +62,8 @@ constexpr std::string_view schema =
 # control  offset = sign * (displacement - displacement at the last touch-off) + offset at the last touch-off, from -limit to
 #          limit. The offset changes by at most slew per second. Output: offset / unit, rounded if counts is 1. An input is
 #          faulty if it is outside plausible, changes faster than fastest, or stays constant longer than stuck (docs/control.md).
-# check    record with the displacements that raceway correct predicts for it, without limit, slew, sign and touch-off
+# check    record, with inputs at most at the ends of their ranges, and the displacements that raceway correct predicts for it,
+#          without limit, slew, sign and touch-off
 )";
 
 constexpr std::string_view sign_formulas =

@@ -9,9 +9,10 @@
 /// Writes corrections as programs and tables for a control on which raceway is not installed.
 ///
 /// If all inputs are valid and within the ranges of the training data, the programs compute the
-/// same displacements as `correct`, except for the differences that ControlPlan::notes lists. All
-/// programs report faults with the same flags: see docs/control.md. `name` is the name of the
-/// exported file without extension. The name must be a valid identifier of the target language.
+/// same displacements as `correct`, except for the differences that ControlPlan::notes lists. The
+/// flags with which a program reports faults are equal in all programs: see docs/control.md. `name`
+/// is the name of the exported file without extension. The name must be a valid identifier of the
+/// target language.
 namespace raceway::control {
 
 /// Returns a program for Python 2.7 and 3. The program needs only the standard library.

@@ -9,8 +9,8 @@
 #include "correction/control_settings.h"
 #include "correction/model.h"
 
-/// Describes corrections for a machine control by coefficients (ControlPlan). `raceway export`
-/// writes every format from these coefficients.
+/// Describes the corrections that an exported program computes on a machine control. `raceway
+/// export` writes every format from the coefficients in ControlPlan.
 ///
 /// All numbers are in the units of files: um (urad for an angle), C, K, W, rpm, m/min, s, N mm.
 /// Every slow part of a displacement is a sum of parallel first-order lags, which are called
@@ -19,10 +19,11 @@
 ///
 ///   s += (1 - exp(-dt/tau)) (target - s),   dt: measured time since the last call
 ///
-/// Some inputs, such as temperatures, are assumed linear between two samples. For these inputs, the
-/// exported program adds a term that makes s exact. A transfer function that equals a sum of lags
-/// (correction::parallel_form()) is exported as sections. Any other transfer function is exported
-/// as a difference equation. A difference equation needs a fixed interval between calls.
+/// Some inputs, such as temperatures, are assumed linear between two samples. For a linear input,
+/// the exported program adds a term to this formula, which makes s exact. A transfer function that
+/// equals a sum of lags (correction::parallel_form()) is exported as sections. Any other transfer
+/// function is exported as a difference equation. A difference equation needs a fixed interval
+/// between calls.
 namespace raceway::control {
 
 /// Index of an input or table that does not exist.
@@ -60,8 +61,8 @@ struct ControlTogether {
 /// has no negative value, the program uses the absolute value of the load.
 struct ControlTable {
   std::string file{};
-  /// Increasing grid values of each axis, at least one. An axis of load or temperature has exactly
-  /// one value if no input supplies the load or temperature.
+  /// Increasing grid values of each axis, at least one. If no input supplies a load or the
+  /// temperature, the axis of this quantity has exactly one value.
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
   std::vector<double> torque_Nmm{};  ///< one value for each grid point; the speed varies fastest
 };
@@ -72,7 +73,8 @@ struct ControlDrive {
     /// Mean rise of the input temperatures since the first call, minus the rise of the reference
     /// temperature [K].
     rise,
-    /// Mean of the inputs. In this mean, x (x/1000)^(exponent - 1) replaces a speed x [rpm].
+    /// Mean of the inputs. In this mean, x (x/1000)^(exponent - 1) replaces a speed x [rpm]. Above
+    /// the highest speed of the training data, the tangent at this speed limits the power.
     size,
     power,  ///< friction torque from a table times the speed [W]
     motor   ///< exp(-n/n0) while the spindle turns at the speed n, else 0 [1]
@@ -192,8 +194,8 @@ struct ControlAxis {
   std::string output{};  ///< name of the output, such as "offset_z_um" or "offset_z_counts"
   bool angle = false;    ///< true: the displacement is an angle, in urad instead of um
   double offset_um = 0.0;
-  /// Trust in the model ("good", "within-range" or "do-not-use"), and the reason for this trust.
-  /// Both texts are empty if the trust is not known.
+  /// Level of trust in the model ("good", "within-range" or "do-not-use"), and the reason for this
+  /// level. Both texts are empty if the trust is not known.
   std::string trust{}, trust_because{};
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};
@@ -218,7 +220,7 @@ struct ControlPlan {
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
               coolant = nowhere;  ///< indices of speed_rpm and coolant_on in `inputs`
-  /// Joint ranges of the inputs; a model without a joint range has no element.
+  /// Joint ranges of the inputs, one for each model that has a joint range.
   std::vector<ControlTogether> together{};
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
@@ -228,7 +230,7 @@ struct ControlPlan {
   /// One sentence for each part of the models that the plan omits or changes, and for each check
   /// that the exported program cannot make.
   std::vector<std::string> notes{};
-  /// Warnings about poles of difference equations. One sentence describes each kind of pole that a
+  /// Warnings about poles of difference equations: one sentence for each kind of pole that a
   /// thermal system cannot have, such as a complex pole.
   std::vector<std::string> warnings{};
 };
@@ -254,7 +256,7 @@ struct ControlPlan {
 void in_order(ControlPlan& plan);
 
 /// Increases stuck_s, the time after which the exported program reports a constant sensor as stuck.
-/// Call this function for a working sensor that was constant for `still_s` [s]. The new stuck_s is
+/// `still_s` is the longest time in which the working sensor was constant [s]. The new stuck_s is
 /// 1.5 times `still_s`, rounded up to 10 minutes, and at most one day. The function never reduces
 /// stuck_s. The function does nothing if the input is not a temperature, or if the user gives
 /// stuck_s in `settings`. `where` names the record in which the sensor was constant. Returns a
@@ -268,7 +270,8 @@ void in_order(ControlPlan& plan);
   return axis.angle ? "urad" : "um";
 }
 
-/// Returns one line of text on the trust in the model of an axis; empty if the trust is not known.
+/// Returns one line of text with the trust level of the model of an axis, and with the reason for
+/// this level; empty if the level is not known.
 [[nodiscard]] std::string trust_line(const ControlAxis& axis);
 
 /// Changes the output of every axis to a whole number of counts, as LinuxCNC requires.

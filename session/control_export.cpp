@@ -38,6 +38,9 @@ control::ControlPlan plan_of(Messages& messages, const Source& model, const Sour
     const record::Record data =
         open_series(messages, *record, file.models, Reading{}.options(file.columns));
     plan.check = control::check_of(plan, file.models, data);
+    if (plan.check.rows.size() < data.rows())
+      plan.notes.push_back(fmt::format("the check record contains the first {} of {} rows of {}",
+                                       plan.check.rows.size(), data.rows(), data.source));
     for (std::string& note : control::coarse_sensors(plan, data))
       plan.notes.push_back(std::move(note));
     for (std::string& note : control::allow_still_sensors(plan, data))

@@ -57,6 +57,27 @@ TEST_P(Control, SaysThatAnInputIsBeyondItsRangeAndHoldsInstantParts) {
   }
 }
 
+/// Two lags of the speed with opposite gains, one of a power of it: neither is held while the other
+/// goes on, so an overspeed does not turn the correction round. The power goes on along its
+/// tangent.
+TEST_P(Control, APowerOfTheSpeedGoesOnAlongItsTangent) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n" +
+          std::string("[[correction.channel]]\nname = \"speed\"\ninput = \"speed_rpm\"\n"
+                      "sections = [{ gain_um_rpm = 0.01, time_constant_s = 600 }]\n"
+                      "[[correction.channel]]\nname = \"friction\"\ninput = \"speed_rpm\"\n"
+                      "exponent = 1.5\n"
+                      "sections = [{ gain_um_rpm = -0.005, time_constant_s = 600 }]\n"
+                      "[correction.range]\nspeed_rpm = [0, 4000]\n"),
+      "time_s,speed_rpm\n0,0\n100,4000\n");
+  const auto got = run(c, "u 0 4000\nu 1e6 4000\nu 2e6 6000\nu 3e6 6000\n");
+  ASSERT_EQ(got.size(), 4u);
+  EXPECT_NEAR(got[1].displacements[0], 40.0 - 5.0 * 4.0 * 2.0, 1e-3);
+  // 4 * 4^0.5 and 1.5 * 4^0.5 for each 1000 rpm above it.
+  EXPECT_NEAR(got[3].displacements[0], 60.0 - 5.0 * (8.0 + 2.0 * 3.0), 1e-3);
+  EXPECT_EQ(got[3].flags, beyond_range);
+}
+
 /// At rest nothing is moved by speed, though the model was found while it turned.
 TEST_P(Control, RestIsNoEdgeOfARange) {
   const Case c(
