@@ -86,6 +86,13 @@ int run(const AddFlags& flags) {
         result.reason));
     return wrong_input;
   }
+  if (result.refused && !output.existing(*asked.subject).empty()) {
+    complain(fmt::format(
+        "raceway add: {} is not replaced, because the effect was refused: {} (to add the effect "
+        "nevertheless, write another file)",
+        output.existing(*asked.subject), result.reason));
+    return wrong_input;
+  }
   output.write(asked, result.calibration);
   return done;
 }

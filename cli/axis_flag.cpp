@@ -64,7 +64,10 @@ std::vector<double> axis(const std::string& text, const NumberRange& range,
   }
   if (!std::is_sorted(values.begin(), values.end()) ||
       std::adjacent_find(values.begin(), values.end()) != values.end())
-    throw text::InputError(flag + ": the values must be in ascending order, without duplicates",
+    throw text::InputError(flag + ": " + text::quoted(text) +
+                               ": the values must be in ascending order, without duplicates; a "
+                               "comma separates values, "
+                               "and decimals have a point",
                            {.key = flag});
   return values;
 }

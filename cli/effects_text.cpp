@@ -122,8 +122,8 @@ void print_effect_card(const Description& d) {
           ? "displacement of a shaft with an [arrangement]"
           : "displacement and friction torque of a shaft with an [arrangement]";
   if (d.moves(Form::spindle))
-    changed += changed.empty() ? "temperatures and displacement of a spindle, with [shaft] and "
-                                 "[housing]"
+    changed += changed.empty() ? "temperatures and displacement of a spindle (a model with [shaft] "
+                                 "and [housing])"
                                : "; temperatures and displacement of a spindle";
   paragraph("changes", changed);
   paragraph("mechanism", d.mechanism);

@@ -90,9 +90,9 @@ Run setup_fit_law(CLI::App& command) {
       ->type_name("");
   add_number(command, "--at", flags->at, speed_range,
              "also print displacement and slope at this speed [rpm]");
-  flags->declare_output(
-      command,
-      "file for a table of displacement over speed, to use instead of the law; - for stdout");
+  flags->declare_output(command,
+                        "file for a table of displacement over speed, for curves that the law does "
+                        "not fit; - for stdout");
   declare(command, flags->reading);
   flags->declare_force(command);
   declare_json(command, flags->json);

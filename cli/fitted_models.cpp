@@ -35,6 +35,12 @@ std::string FittedModels::names(const fit::Subject& subject) const {
   return text::listed(files(subject));
 }
 
+std::string FittedModels::existing(const fit::Subject& subject) const {
+  std::vector<std::string> list = files(subject);
+  std::erase_if(list, [](const std::string& file) { return !std::filesystem::exists(file); });
+  return list.empty() ? "" : text::listed(list);
+}
+
 void FittedModels::require_writable(const fit::Subject& subject) const {
   const std::vector<std::string> list = files(subject);
   if (list.size() > 1) check_outputs(list);

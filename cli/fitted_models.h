@@ -19,6 +19,8 @@ class FittedModels {
 
   /// Throws text::InputError if an output file cannot be written.
   void require_writable(const fit::Subject& subject) const;
+  /// Returns the names of the output files that exist already, for messages; empty if none exists.
+  [[nodiscard]] std::string existing(const fit::Subject& subject) const;
   /// Writes the fitted models and prints the name of each file.
   void write(const session::LoopQuestion& asked, const verdict::Calibration& calibration) const;
   /// Returns the file names for messages: "a.toml" or "a-monday.toml and a-friday.toml".

@@ -96,8 +96,9 @@ std::string file_as_command(std::string_view name) {
         name);
   return fmt::format(
       "{0} is a file; give a command first. Measurements need a model:\n"
-      "  raceway new \"7014 C\" -o my.toml     for a bearing on a rig\n"
-      "  raceway new --record {0} -o my.toml    for a displacement over time\n"
+      "  raceway new \"7014 C\" --oil \"VG 32\" --law palmgren -o my.toml   for a bearing on a "
+      "rig\n"
+      "  raceway new --record {0} -o my.toml   for a displacement over time\n"
       "  raceway check my.toml {0}\n"
       "  raceway diagnose my.toml {0}\n"
       "raceway help lists all commands.",

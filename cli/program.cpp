@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "cli/help.h"
@@ -76,6 +79,20 @@ constexpr std::array commands{
             setup_describe},
 };
 
+/// What a user may have meant whose command has too many words, or too few; with a blank before it.
+std::string advice_on(const CLI::ParseError& problem, std::span<char* const> arguments) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&problem))
+    return " (write a name with blanks in quotes, as in \"7014 AC\", and a list of values with "
+           "commas, as in 100,300)";
+  const bool data_alone = std::any_of(arguments.begin(), arguments.end(),
+                                      [](std::string_view a) { return a.ends_with(".csv"); }) &&
+                          std::none_of(arguments.begin(), arguments.end(),
+                                       [](std::string_view a) { return a.ends_with(".toml"); });
+  return dynamic_cast<const CLI::RequiredError*>(&problem) && data_alone
+             ? " (a model file stands before the measurements)"
+             : "";
+}
+
 /// With the way to the help of the command.
 Refusal of_command_line(const std::string& command, const std::string& problem,
                         const std::string& key) {
@@ -129,7 +146,8 @@ int Program::run(int argc, char** argv) {
     app_.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app_.exit(e);  // help and version
-    throw of_command_line(name, e.what(), missing_name(of));
+    throw of_command_line(name, e.what() + advice_on(e, std::span(argv, argc).subspan(2)),
+                          missing_name(of));
   }
   CLI::App* const given = app_.get_subcommands().front();
   check_files(*given);

@@ -42,17 +42,35 @@ const text::Unit* in_unit_row(const text::CsvTable& table, std::size_t column,
   return &stated_unit(table.units[column], channel, table, column);
 }
 
-/// The unit in a header: in brackets, where it must be known; behind "in", "/", a blank or "_",
-/// where it is one of this kind.
+/// The unit of this kind in a header, in brackets or behind "in", "/", a blank or "_"; null where
+/// there is none.
+const text::Unit* known_in_header(std::string_view header, const Channel& channel) {
+  const text::Dimension own = unit_of(channel)->dimension;
+  if (const std::string_view stated = text::in_brackets(header); !text::states_no_unit(stated))
+    return text::find_unit(stated, own);
+  const std::string_view ending = text::header_parts(header).unit;
+  const text::Unit* const unit = ending.empty() ? nullptr : text::find_unit(ending, own);
+  return unit ? unit : text::unit_at_end(header, own);
+}
+
+/// The unit in a header; in brackets it must be known.
 const text::Unit* in_header(const text::CsvTable& table, std::size_t column,
                             const Channel& channel) {
   const std::string_view header = table.header[column];
   if (const std::string_view stated = text::in_brackets(header); !text::states_no_unit(stated))
     return &stated_unit(stated, channel, table, column);
-  const text::Dimension own = unit_of(channel)->dimension;
-  const std::string_view ending = text::header_parts(header).unit;
-  const text::Unit* const unit = ending.empty() ? nullptr : text::find_unit(ending, own);
-  return unit ? unit : text::unit_at_end(header, own);
+  return known_in_header(header, channel);
+}
+
+/// Says that a rule gives another unit than the header.
+void note_contradiction(const ColumnRule& rule, const std::string& header, Recognised& result) {
+  if (!rule.unit || !unit_of(*rule.channel)) return;
+  const text::Unit* const named = known_in_header(header, *rule.channel);
+  if (named && named != rule.unit)
+    result.notes.push_back(record::note::unit(
+        fmt::format("column {}: the header gives the unit {}, but {} gives {}, which is used",
+                    text::in_quotes(header), named->words, rule.place.text(), rule.unit->words),
+        {.key = header}));
 }
 
 /// Brackets behind a column of dates hold their form: "Time (UTC)", "Zeit [TT.MM.JJJJ]".
@@ -263,6 +281,7 @@ Recognised recognise(const text::CsvTable& table, const ReadOptions& options) {
            states_unit(*rule, table, c),
            {}},
           table, result);
+      note_contradiction(*rule, name, result);
       continue;
     }
     const auto named = named_column(name, options);
@@ -358,6 +377,13 @@ std::string drop_empty_rows(text::CsvTable& table, const std::vector<ColumnSourc
         });
       },
       "have an empty cell or a cell without a number");
+}
+
+std::string if_named_otherwise(const text::CsvTable& table) {
+  return fmt::format(
+      "If the columns have other names, raceway check MODEL {} --suggest-columns proposes a table "
+      "[columns]: copy it into the model file",
+      table.source);
 }
 
 }  // namespace raceway::files

@@ -147,13 +147,6 @@ void choose_measured(const model::ModelSubject& subject, const model::Expected& 
       columns.unused.push_back(p.channel);
 }
 
-std::string if_named_otherwise(const text::CsvTable& table) {
-  return fmt::format(
-      "If the columns have other names, raceway check MODEL {} --suggest-columns proposes a table "
-      "[columns]: copy it into the model file",
-      table.source);
-}
-
 void require_measured(const text::CsvTable& table, const model::Expected& expected,
                       const DataColumns& columns) {
   if (!columns.measured.empty()) return;

@@ -398,7 +398,8 @@ void require_angular_contact(std::string_view designation) {
                   "bearings, such as 7014 C{}",
                   text::quoted(designation), d.other_type,
                   d.other_type == of_rollers ? "; a model of a cylindrical roller bearing has type "
-                                               "= \"cylindrical-roller\" (docs/roller.md)"
+                                               "= \"cylindrical-roller\" (docs/roller.md), and "
+                                               "raceway new N1012 writes one"
                                              : ""),
       {.key = "BEARING"});
 }

@@ -92,10 +92,10 @@ class SeriesReader {
     std::vector<std::string> others = found_.others;
     for (const ColumnSource& source : found_.columns) others.push_back(source.name);
     throw text::InputError(
-        fmt::format("{}:{}: column {} is missing{}{}; the header has {}", table_.source,
+        fmt::format("{}:{}: column {} is missing{}{}; the header has {}\n{}", table_.source,
                     table_.header_line, channel.name, why,
                     why.empty() ? text::suggestion(channel.name, others) : std::string(),
-                    text::listed(table_.header)),
+                    text::listed(table_.header), if_named_otherwise(table_)),
         place_in_header(table_, channel.name));
   }
   [[nodiscard]] bool has(const Channel& channel) const {

@@ -86,8 +86,8 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
     notes.push_back(fmt::format(
         "the gyroscopic moment requires a friction force of {:.3g} times the contact load. This is "
         "{:.3g} times the friction force that film and asperities can provide, so the balls slip; "
-        "race_control = "
-        "\"balanced\" gives the correct contact angles and displacement (docs/race-control.md)",
+        "race_control = \"balanced\" calculates the equilibrium of the slipping balls "
+        "(docs/race-control.md)",
         c->holding_coefficient, c->holding_over_traction));
   const model::BearingLife life = bearing_life(model, point, prediction);
   if (life.hybrid)

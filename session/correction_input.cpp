@@ -108,6 +108,12 @@ std::string when(const record::Record& record, std::size_t row) {
   return fmt::format("{} ({:.4g} s)", record.place(row), record.value(record::time, row));
 }
 
+/// How far outside, in widths of the range.
+double excess(const correction::Beyond::Part& p) {
+  if (p.together()) return -1.0;  // last
+  return (p.farthest > p.upper ? p.farthest - p.upper : p.lower - p.farthest) / (p.upper - p.lower);
+}
+
 std::string note_of(const correction::Beyond::Part& p, const record::Record& record) {
   const std::string share =
       p.rows == record.rows() - p.first
@@ -144,7 +150,11 @@ std::vector<std::string> range_notes(const correction::Model& model,
                     *most / um, correction::unit_of(model),
                     when(record, static_cast<std::size_t>(most - share.begin()))));
   }
-  for (const correction::Beyond::Part& p : beyond.parts) notes.push_back(note_of(p, record));
+  std::vector<const correction::Beyond::Part*> parts;
+  for (const correction::Beyond::Part& p : beyond.parts) parts.push_back(&p);
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto* a, const auto* b) { return excess(*a) > excess(*b); });
+  for (const correction::Beyond::Part* p : parts) notes.push_back(note_of(*p, record));
   for (const correction::DrivenChannel& c : model.channels)
     if (const std::size_t rows = series.rows_beyond_table(c.input); rows > 0)
       notes.push_back(fmt::format(

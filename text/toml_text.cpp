@@ -127,7 +127,9 @@ toml::table parsed(std::string_view text, std::string_view source) {
     return toml::parse(text, source);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: {}", source, at.line, at.column, error.description()),
+    throw InputError(fmt::format("{}:{}:{}: {} (in TOML, text stands in quotes, a number has a "
+                                 "decimal point, and a comment begins with #)",
+                                 source, at.line, at.column, error.description()),
                      {.file = std::string(source), .line = static_cast<int>(at.line)});
   } catch (const std::logic_error&) {
     throw InputError(fmt::format("{}:{}: the file is not valid TOML: a key, a value or a bracket "

@@ -257,7 +257,8 @@ std::string Investigation::unexplained_text() const {
   std::string shape;
   if (result_.shape)
     shape = fmt::format(
-        " A power law describes {1:.0f} % of the misfit: {0}; raceway add MODEL shape adds this "
+        " A power law describes {1:.0f} % of the misfit: {0}; raceway add MODEL shape --data DATA "
+        "adds this "
         "law.",
         result_.shape->statement, 100.0 * result_.shape->explained_share);
   std::string pairs;
@@ -312,7 +313,7 @@ std::string Investigation::other_bases_text() const {
   const std::string fall = fmt::format(
       "error {:.3g} -> {}, gain {:.0f} (needed {:.1f})", first.rmse_before / first.channel().factor,
       reading_text(first.channel(), best.rmse.front()), best.gain, result_.needed_gain);
-  const std::string take = fmt::format("use it with: raceway add MODEL {}", best.id);
+  const std::string take = fmt::format("use it with: raceway add MODEL {} --data DATA", best.id);
   if (best.explains)
     return fmt::format(" {} {} these data: {}; {}.", best.words,
                        best.fitted_form ? "describes" : "explains", fall, take);

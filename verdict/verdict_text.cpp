@@ -101,8 +101,8 @@ std::string measure_text(const Diagnosis& d) {
   std::string text;
   if (!texts.empty())
     text = fmt::format(
-        " Measure: {}. With these points, the gains of the explanations should differ by {:.0f}; "
-        "if you only repeat the measured points, by {:.0f}.",
+        " Measure: {}. After these measurements, the gains of the possible causes should differ by "
+        "{:.0f}; after repeated readings at the present points, by {:.0f}.",
         fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
   if (!d.records_needed.empty())
     text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));

@@ -74,4 +74,7 @@ struct Recognised {
 [[nodiscard]] std::string drop_empty_rows(text::CsvTable& table,
                                           const std::vector<ColumnSource>& columns);
 
+/// Returns the advice for a file whose columns have other names than the columns of raceway.
+[[nodiscard]] std::string if_named_otherwise(const text::CsvTable& table);
+
 }  // namespace raceway::files

@@ -103,7 +103,8 @@ TEST(CommandLine, TellsWhatIsMissingOrTooMuch) {
   expect_refused(run("new \"S 6014 C\" -o \"\""), "raceway new: -o: its value is missing\n");
   expect_refused(run("new \"S 6014 C\" --output="), "--output: its value is missing\n");
   expect_refused(run("solve m.toml --speed 1 --speed 2"), "--speed is given twice\n");
-  expect_refused(run("solve m.toml n.toml --speed 1"), "was not expected: n.toml\n");
+  expect_refused(run("solve m.toml n.toml --speed 1"),
+                 "was not expected: n.toml (write a name with blanks in quotes");
   expect_refused(run("calibrate"), "raceway calibrate: MODEL is required\n");
   expect_refused(run("calibrate m.toml"), "m.toml: no such file");
   expect_refused(run("compare m.toml"), "raceway compare: DATA is missing");

@@ -132,7 +132,7 @@ TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
   const ScratchFolder scratch;
   const std::string model = everyday + "law-skf/model.toml", train = everyday + "law-skf/train.csv";
   EXPECT_THAT(run("diagnose --verbose " + model + " " + train).out,
-              HasSubstr("raceway add MODEL shape adds this law"));
+              HasSubstr("raceway add MODEL shape --data DATA adds this law"));
   const std::string better = scratch.file("shape.toml");
   const Result added = run("add " + model + " shape --data " + train + " -o " + better);
   ASSERT_EQ(added.status, 0) << added.err;

@@ -137,7 +137,7 @@ TEST_F(Table, RefusesAxesThatAreNone) {
   refused("--speed 0:9 --axial-load 1", "--speed: \"0:9\": write a range as from:to:step");
   refused("--speed 1,a --axial-load 1", "--speed: \"a\" is not a number");
   refused("--speed 0:nan:1 --axial-load 1", "--speed: \"nan\" is not a finite number");
-  refused("--speed 1,1 --axial-load 1", "--speed: the values must be in ascending order");
+  refused("--speed 1,1 --axial-load 1", "--speed: \"1,1\": the values must be in ascending order");
   refused("--speed -1,0 --axial-load 1", "--speed = -1 rpm: must be from 0 to 1000000 rpm");
   refused("--speed 1 --axial-load -1", "--axial-load = -1 N: must be from 0 to 100000000 N");
   refused("--speed 1 --axial-load 1 --temperature 900", "must be from -100 to 400 C");
