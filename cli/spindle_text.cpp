@@ -18,12 +18,12 @@ void print_assumptions(const results::Assumptions& assumptions) {
   TextTable table(
       {{"assumed", "", true}, {"value", ""}, {"+-", ""}, {"less", "um"}, {"more", "um"}});
   for (const results::Assumption& a : assumptions.most) {
-    const auto moved = [&](double to) {
+    const auto moved = [&](double to, bool allowed) {
       return std::isfinite(to) ? fmt::format("{:+.3g}", (to - assumptions.displacement) / um)
-                               : std::string("no state");
+                               : std::string(allowed ? "no state" : "-");
     };
     table.add({a.name, fmt::format("{:.6g}", a.value), fmt::format("{:.3g}", a.spread),
-               moved(a.low), moved(a.high)});
+               moved(a.low, a.low_allowed), moved(a.high, a.high_allowed)});
   }
   fmt::print(
       "\nlargest influences of {} assumed numbers on the nose displacement (steady state at {:.6g} "

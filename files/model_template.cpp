@@ -26,8 +26,9 @@ std::string key_line(const ModelRemarks& remarks, std::string_view key, const st
   return line + "\n";
 }
 
-/// [friction] of a law, with what each number is.
-std::string friction_lines(friction::FrictionLaw law) {
+/// [friction] of a law, with what each number is. Measurements of a rig fit these numbers; those of
+/// a spindle are assumed.
+std::string friction_lines(friction::FrictionLaw law, bool of_spindle) {
   const auto initial = [&](std::string_view name) {
     for (const friction::Parameter& p : friction::parameters(law))
       if (p.name == name) return fmt::format("{:g}", p.initial);
@@ -35,7 +36,8 @@ std::string friction_lines(friction::FrictionLaw law) {
   };
   std::string text = "\n[friction]\n";
   const auto add = [&](std::string_view key, const std::string& value, std::string_view remark) {
-    text += key_line({}, key, value, remark);
+    const bool assumed = of_spindle && value.front() != '"';
+    text += key_line({}, key, value, fmt::format("{}{}", assumed ? "assumed: " : "", remark));
   };
   switch (law) {
     case friction::FrictionLaw::palmgren:
@@ -267,7 +269,7 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
   text += lubricant_lines(remarks.oil) +
           "# supply = \"oil-air\"               # or \"grease\", \"jet\", \"bath\": rules out "
           "effects that need another supply\n";
-  text += contact_lubricant_lines(remarks.law) + friction_lines(remarks.law);
+  text += contact_lubricant_lines(remarks.law) + friction_lines(remarks.law, remarks.of_spindle);
   return text + (remarks.of_spindle ? spindle_lines(row) : rig_lines(remarks.law));
 }
 

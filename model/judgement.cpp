@@ -275,8 +275,9 @@ void Judge::add_heat(Findings& findings) const {
     findings.push_back(
         finding_of(limits::preload_factor, preload_, 1.0,
                    fmt::format("{:.6g} rpm: the preload is {:.4g} N, {:.3g} times the mounted "
-                               "preload of {:.4g} N (limit: {:g} times), because heat and speed "
-                               "press the sets together. Use springs or a smaller mounted preload",
+                               "preload of {:.4g} N (limit: {:g} times): speed, and heat in a "
+                               "warm spindle, press the sets together. Springs keep the preload "
+                               "nearly constant",
                                preload_.point.speed / rpm, preload_.value * mounted_,
                                preload_.value, mounted_, limits::preload_factor.value)));
   if (stiff_.points > 0) {
@@ -330,18 +331,23 @@ Findings Judge::findings() const {
 }
 
 Possible possible_speeds(const Model& model) {
-  double diameter = 0.0, density = 7800.0;
+  double most = std::numeric_limits<double>::infinity(), diameter = unset;
+  const auto limit = [&](double inner_diameter, double density) {
+    const double speed = std::sqrt(strength_of_rings / density) / (0.5 * inner_diameter);
+    if (!(speed < most)) return;
+    most = speed;
+    diameter = inner_diameter;
+  };
   const auto look = [&](const bearing::Bearing& b) {
     const bearing::BearingGeometry& g = b.geometry();
-    diameter = std::fmax(diameter, g.pitch_diameter - g.ball_diameter * std::cos(g.contact_angle));
-    density = b.rings().density;
+    limit(g.pitch_diameter - g.ball_diameter * std::cos(g.contact_angle), b.rings().density);
   };
   if (const bearing::Bearing* const balls = model.bearing.ball_bearing()) look(*balls);
   if (model.shaft)
     for (const bearing::MountedBearing& m : model.shaft->arrangement.bearings()) look(*m.bearing);
   if (const bearing::RollerBearing* const rollers = model.bearing.rollers())
-    diameter = rollers->geometry().pitch_diameter - rollers->geometry().roller_diameter;
-  const double most = std::sqrt(strength_of_rings / density) / (0.5 * diameter);
+    limit(rollers->geometry().pitch_diameter - rollers->geometry().roller_diameter,
+          rollers->rings().density);
   return {.lower = 0.0,
           .upper = most,
           .why = fmt::format("above the upper limit, the inner ring bursts (hoop stress of 2 GPa "

@@ -35,6 +35,7 @@ struct Assumption {
   double spread = unset;  ///< possible error in both directions, in the unit at the end of `name`
   /// Nose displacement at value - spread and at value + spread [m]; NaN if there is no result.
   double low = unset, high = unset;
+  bool low_allowed = true, high_allowed = true;  ///< false: a model file must not have this value
 };
 
 /// Assumed values with the largest influence on the nose displacement in a steady state.
@@ -59,7 +60,7 @@ struct SteadyState {
   std::vector<std::optional<spindle::ChannelFlow>> channels = {};
   /// Seats of the bearing rings, in the order of Moment::bearings; empty for a thermal network.
   std::vector<spindle::SeatsOfBearing> seats = {};
-  /// Heat transfer at joints and surfaces, without ring seats.
+  /// Heat transfer at all joints and surfaces except the ring seats; empty for a thermal network.
   std::vector<spindle::SurfaceState> surfaces = {};
   /// Axial displacements of the shaft, from nose to rear end.
   std::vector<spindle::ShaftPlace> shaft = {};
@@ -81,9 +82,9 @@ struct RunColumn {
                                                  const spindle::Inputs& inputs,
                                                  const spindle::Moment& moment);
 
-/// Returns the text of `run.csv`, with one row for each completed row of the speed programme. If
-/// the simulation stopped early, the last row contains the results at the time of the stop.
-/// `model_text` is the text of the model file.
+/// Returns the text of `run.csv`, with one row for each row of the speed programme that the
+/// simulation reached. If the simulation stopped early, the last row contains the results at the
+/// time of the stop. `model_text` is the text of the model file.
 [[nodiscard]] std::string spindle_run_text(const model::Model& model,
                                            std::span<const spindle::ProfileRow> profile,
                                            const spindle::Run& run, std::string_view model_text);
@@ -102,8 +103,8 @@ struct RunColumn {
                                               const MeshEstimate& mesh,
                                               const model::Findings& findings = {},
                                               const Assumptions& assumptions = {});
-/// Returns the text of `field.csv`. For each cell, the text gives the position and the radius of
-/// the centre, the part of the spindle, and the temperature.
+/// Returns the text of `field.csv`. Each row gives the axial position and the radius of the centre
+/// of one cell, the part of the spindle that contains the cell, and the temperature.
 [[nodiscard]] std::string spindle_field_text(std::span<const spindle::FieldCell> cells,
                                              std::string_view name);
 
@@ -112,8 +113,8 @@ struct RunColumn {
 [[nodiscard]] std::string spindle_state_json(const model::Model& model,
                                              const spindle::State& state);
 /// Reads a state from a file that contains the text of spindle_state_json(). Throws InputError if
-/// the file is not JSON, is not such a state, has an unsupported format number, or has a value that
-/// is missing or outside its range.
+/// the file is not JSON, does not contain a spindle state, has an unsupported format number, or has
+/// a value that is missing or outside its range.
 [[nodiscard]] spindle::State read_spindle_state(const std::string& path);
 /// Reads a state from `text`, as written by spindle_state_json(). Error messages name `source` as
 /// the file.
@@ -122,8 +123,8 @@ struct RunColumn {
 
 /// Returns the name of a coolant circuit. The first circuit has the name "coolant".
 [[nodiscard]] std::string circuit_name(const model::Model& model, std::size_t circuit);
-/// Returns the name of a bearing in column names. A bearing of a set has a name such as "front_1",
-/// counted from the nose. A roller bearing has the name in the model.
+/// Returns the name of a bearing in column names. The bearings of a set are numbered from the nose,
+/// such as "front_1" and "front_2". A roller bearing has its name in the model.
 [[nodiscard]] std::string bearing_label(const model::Model& model, std::size_t bearing);
 
 }  // namespace raceway::results

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "files/model_data.h"
 #include "record/units.h"
@@ -59,11 +60,24 @@ std::string_view spread_of_default(std::string_view name) {
   return known == usual_spreads.end() ? other_spread : known->text;
 }
 
-/// The larger change of the displacement [m]; without bounds where the spread leaves no state.
+/// The larger change of the displacement [m]; without bounds where an allowed value leaves no
+/// state.
 double change(const Assumption& a, double displacement) {
-  if (!std::isfinite(a.low) || !std::isfinite(a.high))
-    return std::numeric_limits<double>::infinity();
-  return std::max(std::abs(a.low - displacement), std::abs(a.high - displacement));
+  const auto moved = [&](double to, bool allowed) {
+    if (!std::isfinite(to)) return allowed ? std::numeric_limits<double>::infinity() : 0.0;
+    return std::abs(to - displacement);
+  };
+  return std::max(moved(a.low, a.low_allowed), moved(a.high, a.high_allowed));
+}
+
+bool is_allowed(const files::ModelData& data, const std::string& name, double value) {
+  try {
+    const std::pair<std::size_t, double> change{data.find(name), value};
+    (void)data.with({&change, 1});
+    return true;
+  } catch (const text::InputError&) {
+    return false;
+  }
 }
 
 /// Drops all messages: they were printed with the answer.
@@ -105,6 +119,9 @@ Assumptions influential_assumptions(const files::ModelFile& file, const spindle:
                           .spread = s.data[k].spread,
                           .low = nose.local[k].low * um,
                           .high = nose.local[k].high * um});
+    Assumption& a = found.most.back();
+    a.low_allowed = std::isfinite(a.low) || is_allowed(all, a.name, a.value - a.spread);
+    a.high_allowed = std::isfinite(a.high) || is_allowed(all, a.name, a.value + a.spread);
   }
   std::stable_sort(found.most.begin(), found.most.end(), [&](const auto& a, const auto& b) {
     return change(a, found.displacement) > change(b, found.displacement);

@@ -6,6 +6,7 @@
 
 #include "bearing/roller_equilibrium.h"
 #include "life/roller_life.h"
+#include "model/judgement.h"
 
 namespace raceway::session {
 namespace {
@@ -53,6 +54,11 @@ std::vector<std::string> notes_on_rollers(const bearing::RollerBearing& b,
     notes.push_back(fmt::format(
         "the contact pressure is {:.3g} GPa; above 4 GPa the rollers leave permanent dents",
         most / GPa));
+  else if (speed > 0.0 && most > model::limits::running_pressure.value * GPa)
+    notes.push_back(
+        fmt::format("the contact pressure of the running bearing is {:.3g} GPa, above {:g} GPa: "
+                    "the raceways can fatigue. Less load lowers the pressure",
+                    most / GPa, model::limits::running_pressure.value));
   return notes;
 }
 

@@ -45,6 +45,11 @@ std::vector<spindle::ProfileRow> read_profile(Messages& messages, const RunQuest
   warn_of_kelvin(messages, record);
   require_possible(file.model, record);
   require_possible_temperature(file.model, q.ambient_temperature, "ambient_temperature_C");
+  if (!std::isnan(q.ambient_temperature))
+    if (const std::string doubt =
+            files::looks_like_kelvin("ambient_temperature_C", celsius(q.ambient_temperature));
+        !doubt.empty())
+      messages.say(record::note::unit(doubt, {.key = "ambient_temperature_C"}));
   const std::string& name = q.programme.name;
   if (record.runs.size() > 1)
     throw text::InputError(

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bearing/contact_pressure.h"
+#include "files/plausible.h"
 #include "life/roller_life.h"
 #include "record/units.h"
 #include "report/spindle_report.h"
@@ -176,6 +177,9 @@ SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion&
   require_possible_temperature(file.model, question.ambient_temperature, "ambient_temperature_C");
   require_carried(file.model, question);
   SteadySpindle answer{.file = file};
+  if (!std::isnan(question.ambient_temperature))
+    answer.doubt =
+        files::looks_like_kelvin("ambient_temperature_C", celsius(question.ambient_temperature));
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question.cancelled);
   for (const double speed : question.speeds) {
@@ -227,6 +231,7 @@ std::vector<std::string> SteadySpindle::notes() const {
 
 std::vector<record::Note> SteadySpindle::warnings() const {
   std::vector<record::Note> notes;
+  if (!doubt.empty()) notes.push_back(record::note::unit(doubt, {.key = "ambient_temperature_C"}));
   for (const results::SteadyState& s : states)
     if (!s.report.converged())
       notes.push_back(record::note::not_converged(

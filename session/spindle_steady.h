@@ -52,6 +52,7 @@ struct SteadySpindle {
   /// Notes on the roller bearings at the last speed, for example that the load is below the minimum
   /// load.
   std::vector<std::string> roller_notes{};
+  std::string doubt{};  ///< doubt about the unit of the ambient temperature; empty if there is none
   results::MeshEstimate mesh{};
   /// Most influential assumed values of the model, at the last speed with a steady state.
   results::Assumptions assumptions{};
@@ -62,7 +63,7 @@ struct SteadySpindle {
   [[nodiscard]] bool converged() const;
   [[nodiscard]] std::vector<std::string> notes() const;
   /// Returns a warning with the reason for each speed without a steady state, and a warning for
-  /// each limit that is exceeded at the other speeds.
+  /// each limit that a steady state exceeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
   [[nodiscard]] std::string json(bool with_assumptions = true) const;
   [[nodiscard]] std::string csv() const;

@@ -23,9 +23,11 @@ std::string_view words(Status status) {
     case Status::converged:
       return "converged";
     case Status::no_equilibrium:
-      return "the bearing sets have no equilibrium";
+      return "the bearing sets have no equilibrium; heat, speed or a load can remove the preload "
+             "of rigidly mounted sets";
     case Status::thermal_runaway:
-      return "thermal runaway: friction heat raises the preload faster than heat can leave";
+      return "thermal runaway: the friction heat grows faster than heat can leave (heat raises the "
+             "preload of rigidly mounted sets)";
     case Status::step_limit:
       return "the maximum number of time steps was reached";
     case Status::not_run:

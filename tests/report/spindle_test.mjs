@@ -347,7 +347,7 @@ test('a run that ends early says when, why, and how much of it is there', async 
   }
   const { page, faults, close } = await open('runaway');
   assert.equal(await page.textContent('#verdict'), 'thermal runaway');
-  assert.match(await page.textContent('#sentence'), /ended after 1\d\.\d s: thermal runaway: friction heat .*1 of 2 rows were computed/);
+  assert.match(await page.textContent('#sentence'), /ended after 1\d\.\d s: thermal runaway: the friction heat .*1 of 2 rows were computed/);
   assert.ok((await marks(page, 'nose')) > 5);
   assert.deepEqual(faults, []);
   await close();

@@ -131,6 +131,7 @@ TEST(RollerModel, SaysWhatToWatch) {
               ElementsAre(HasSubstr("rollers may skid")));
   EXPECT_THAT(notes(model("radial_clearance_um = -5\n"), 3000 * rpm, 300.0), IsEmpty());
   EXPECT_THAT(notes(model(), 0.0, 2e5), ElementsAre(HasSubstr("above 4 GPa")));
+  EXPECT_THAT(notes(model(), 3000 * rpm, 3e4), ElementsAre(HasSubstr("above 2 GPa")));
 }
 
 }  // namespace
