@@ -142,7 +142,7 @@ NewCorrection new_correction(const Source& source, const ReadOptions& given) {
        {"offset_urad", "assumed; identify finds this constant"},
        {"sections",
         "assumed: gain from the range of the readings, time constant of 10 % of the duration of "
-        "the record"}});
+        "the longest run"}});
   if (!columns.all_ours) made.text += "\n" + columns.text;
   if (!combined.empty()) made.text += "\n" + combined;
   (void)parse_correction(made.text, "new correction");  // it reads back

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/parameters.h"
+#include "record/units.h"
 
 namespace raceway::model {
 namespace {
@@ -32,6 +33,12 @@ ModelChanges model_changes(const Model& before, const Model& after) {
     const double value = was == old.end() ? unset : was->value;
     if (value != p.value) changes.numbers.push_back({p.name, p.unit, value, p.value});
   }
+  const auto add = [&](std::string name, double was, double is) {
+    if (was != is)
+      changes.numbers.push_back({std::move(name), "mm2/s", was / mm2_per_s, is / mm2_per_s});
+  };
+  add("viscosity_40C_mm2_s", before.lubricant.viscosity_40C(), after.lubricant.viscosity_40C());
+  add("viscosity_100C_mm2_s", before.lubricant.viscosity_100C(), after.lubricant.viscosity_100C());
   return changes;
 }
 

@@ -7,7 +7,8 @@
 
 namespace raceway::model {
 
-/// A parameter that is new, or whose value differs from the previous model.
+/// A parameter that the previous model lacks, or whose value differs from the value in the previous
+/// model.
 struct ChangedNumber {
   std::string name;       ///< name as in parameters()
   std::string unit;       ///< unit in the model file
@@ -15,12 +16,13 @@ struct ChangedNumber {
   double after = unset;
 };
 
-/// Changes between two models: added and removed effects, and changed values of parameters().
-/// `calibrate` and `add` make no other changes. Other differences between the models are not
-/// reported.
+/// Changes between two models: added and removed effects, and changed values of parameters() and
+/// of the oil viscosities. Other differences between the models, such as the covariance of the fit,
+/// are not reported.
 struct ModelChanges {
   std::vector<std::string> added, removed;  ///< ids of the effects
-  std::vector<ChangedNumber> numbers;       ///< in the order of parameters()
+  /// In the order of parameters(), then the viscosities of the oil.
+  std::vector<ChangedNumber> numbers;
 };
 
 [[nodiscard]] ModelChanges model_changes(const Model& before, const Model& after);

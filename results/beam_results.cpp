@@ -236,8 +236,9 @@ std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds) {
         for (std::size_t e = 0; e < std::min(before.size(), after.size()); ++e) {
           const double a = low[mode] - before[e].second * from.speed;
           const double b = high[mode] - after[e].second * to.speed;
-          if (!(a > 0.0 && b <= 0.0) && !(a < 0.0 && b >= 0.0)) continue;
-          const double share = a / (a - b);
+          const bool at_first = k == 1 && a == 0.0;
+          if (!at_first && !(a > 0.0 && b <= 0.0) && !(a < 0.0 && b >= 0.0)) continue;
+          const double share = at_first ? 0.0 : a / (a - b);
           found.push_back({.excitation = before[e].first,
                            .mode = mode + 1,
                            .whirl = sense,

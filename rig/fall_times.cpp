@@ -76,7 +76,7 @@ void check(const record::Record& record, std::span<const Fall> falls, const mode
                     rig.inertia));
   if (falls.size() != record.rows())
     throw std::invalid_argument(fmt::format(
-        "{}: {} falls between two speeds are given for {} rows; each row needs one fall",
+        "{}: times between two speeds are given for {} of {} rows; each row needs one time",
         record.source, falls.size(), record.rows()));
   for (std::size_t i = 0; i < falls.size(); ++i) {
     const Fall& f = falls[i];

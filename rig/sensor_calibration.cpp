@@ -306,6 +306,7 @@ class Calibrator {
     if (count() < fewest_for_scatter || result_.sensor.scatter == 0.0) return;
     Eigen::VectorXd squares = fit_.residuals.array().square() / fit_.free.array();
     Eigen::VectorXd torque = torque_.cwiseAbs();
+    if (torque.minCoeff() == torque.maxCoeff()) return;  // no lower and no upper half
     const double middle = 0.5 * (torque.minCoeff() + torque.maxCoeff());
     double low = 0.0, high = 0.0;
     int lows = 0;

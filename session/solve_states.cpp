@@ -126,6 +126,15 @@ void check(Messages& messages, const Input& input, const StateArrays& states,
   }
 }
 
+/// True of an array with a number that is not zero.
+bool acts(const NumberArray& array, const StateArrays& states) {
+  if (!array.given()) return false;
+  Walk walk(array, states.shape, 0);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (walk.next() != 0.0) return true;
+  return false;
+}
+
 /// What holds where an array is not given, of arrays that are in order.
 bearing::OperatingPoint checked(Messages& messages, const files::ModelFile& file,
                                 const StateArrays& states) {
@@ -133,6 +142,7 @@ bearing::OperatingPoint checked(Messages& messages, const files::ModelFile& file
     throw text::InputError("speed_rpm is missing", {.key = "speed_rpm"});
   require_loads(messages, file,
                 {.axial_load = states.axial_load_N.given(),
+                 .acting_axial_load = acts(states.axial_load_N, states),
                  .radial_load = states.radial_load_N.given(),
                  .moments = states.moment_y_Nmm.given() || states.moment_z_Nmm.given()},
                 Wording::arguments);

@@ -265,8 +265,10 @@ results::Superposition superposition_of_steps(Messages& messages, const SpindleS
                                               const correction::Model& correction,
                                               const Source& programme,
                                               const std::atomic<bool>* cancelled) {
+  if (!steps.model() || !steps.model()->spindle)
+    throw std::invalid_argument(
+        "the step responses come without the model of a spindle, which the simulation needs");
   const model::Model& model = *steps.model();
-  if (!model.spindle) throw std::invalid_argument("the model is not a spindle");
   const record::Record record =
       files::read_spindle_record(programme, *model.spindle, {.columns = steps.file->columns});
   messages.say(record.notes);

@@ -353,9 +353,10 @@ std::optional<double> seconds_of_excel(double days) {
 }
 
 std::string timestamp_text(double seconds) {
+  // Numbers of Excel are good for some microseconds.
+  seconds = std::round(seconds * 1e3) / 1e3;
   const double days = std::floor(seconds / day);
   const chrono::year_month_day date{chrono::sys_days{chrono::days(static_cast<int>(days))}};
-  // Numbers of Excel are good for some microseconds.
   const double rest = std::round((seconds - day * days) * 1e3) / 1e3;
   const int minutes = static_cast<int>(rest / 60.0);
   std::string second = fmt::format("{:06.3f}", rest - 60.0 * minutes);

@@ -30,9 +30,12 @@ bool is_plausible(const record::Parameter& p, double factor) {
     return (std::isnan(given) ? bound : given) - neutral;
   };
   double low = limit(p.plausible_lower, p.lower);
-  const double high = limit(p.plausible_upper, p.upper);
+  double high = limit(p.plausible_upper, p.upper);
   // Little of an effect is not implausible; a shape has no neutral value to be near to.
-  if (!std::isnan(p.neutral) && low > 0.0) low = 0.0;
+  if (!std::isnan(p.neutral)) {
+    low = std::min(low, 0.0);
+    high = std::max(high, 0.0);
+  }
   const double value = p.value - neutral;
   return value - margin <= (high > 0.0 ? high * factor : high / factor) &&
          value + margin >= (low > 0.0 ? low / factor : low * factor);

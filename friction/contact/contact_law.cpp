@@ -73,6 +73,7 @@ void ContactResult::rescale(std::span<const double> from, std::span<const double
 ContactResult contact_result(const BearingState<double>& s, std::span<const double> values,
                              std::vector<BallFriction>* balls_out) {
   ContactResult r;
+  if (balls_out) balls_out->clear();
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) {
     r.friction.inner = r.friction.outer = {unset, unset, unset};
     return r;

@@ -44,6 +44,9 @@ TEST(Timestamp, IsoAndGermanDatesAreOneTime) {
   }
   EXPECT_DOUBLE_EQ(*parse_timestamp("12.03.2024 08:15:00,25"), expected + 0.25);
   EXPECT_EQ(timestamp_text(expected + 0.25), "2024-03-12T08:15:00.250");
+  // Just before midnight is midnight, within the precision of Excel.
+  EXPECT_EQ(timestamp_text(parse_timestamp("2024-03-13 00:00").value() - 1e-5),
+            "2024-03-13T00:00:00");
   EXPECT_DOUBLE_EQ(*parse_timestamp("03/12/2024 08:15:00", DateOrder::month_first), expected);
   EXPECT_DOUBLE_EQ(*parse_timestamp("12/03/2024 08:15:00.5 PM"), expected + 12 * 3600.0 + 0.5);
   EXPECT_DOUBLE_EQ(*parse_timestamp("12/03/2024 12:15:00 AM"), expected - 8 * 3600.0);
