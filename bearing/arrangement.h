@@ -32,16 +32,16 @@ struct MountedBearing {
   [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
 
-/// Preload force at standstill [N], >= 0: sum of the axial forces of the front bearings. An equal
-/// force acts on the other side: the sum of the axial forces of the rear bearings or, in tandem,
-/// the spring force.
+/// Preload force at standstill [N], >= 0: sum of the axial forces of the front bearings. The force
+/// on the rear side is equal: the sum of the axial forces of the rear bearings or, in tandem, the
+/// spring force.
 struct PreloadForce {
   double force = unset;
   [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
-/// Preload given as the gap that clamping closes [m]. Before clamping, the balls of both sets just
-/// touch the races without load.
+/// Preload given as the axial gap between the rings that clamping closes [m]. Before clamping, the
+/// balls of both sets just touch the races without load.
 struct PreloadOffset {
   double offset = unset;
   [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
@@ -57,10 +57,11 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< rate of a spring mounting [N/m]; 0: constant force
-  /// Share m of the other kind of mounting, for a support between rigid and spring, from 0 to 1
-  /// [1]. 0 is the kind in `mounting`, and 1 is the other kind. The other kind is rigid if
-  /// `mounting` is `spring`, and a spring of constant force if `mounting` is `rigid`. The share
-  /// must be 0 in tandem. See Arrangement::Seat for the formula.
+  /// Share m of the kind of mounting that is not in `mounting` [1]. With m = 0, the support is of
+  /// the kind in `mounting`; with m = 1, the support is of the other kind. A value of m between 0
+  /// and 1 gives a support between rigid and spring. The other kind is rigid if `mounting` is
+  /// `spring`, and a spring of constant force if `mounting` is `rigid`. The share must be 0 in
+  /// tandem. See Arrangement::Seat for the formula.
   double other_mounting = 0.0;
   /// Axial stiffness of the shaft between the sets, in series with the sets [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
@@ -86,10 +87,10 @@ struct ArrangementDesign {
 ///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring mounting
 ///   c = 1/shaft_stiffness + 1/housing_stiffness,  1/k = 1/spring_rate + c
 ///
-/// At δ = 0, the balls of a bearing without offset just touch both races, at the nominal contact
-/// angle. e is the elongation of the shaft minus the elongation of the housing between the sets.
-/// F_r is the axial force of the rear set. The index 0 denotes the mounted state. In tandem, the
-/// spring replaces the rear set.
+/// At δ = 0, the balls of a bearing with MountedBearing::offset = 0 just touch both races, at the
+/// nominal contact angle. e is the elongation of the shaft minus the elongation of the housing
+/// between the sets. F_r is the axial force of the rear set. The index 0 denotes the mounted state.
+/// In tandem, the spring replaces the rear set.
 class Arrangement {
  public:
   /// Throws std::invalid_argument for a missing or impossible value. The message gives name, value
@@ -119,7 +120,7 @@ class Arrangement {
   ///
   ///   softness (F_r - F_0) = hardness (d (x - e) - (δ_r - δ_r0))
   ///
-  /// The other symbols are explained in the comment of Arrangement.
+  /// F_r, F_0, d, x, e, δ_r and δ_r0 are explained in the comment of Arrangement.
   ///
   /// (softness, hardness) is (c [m/N], 1) for a rigid mounting and (1, k [N/m]) for a spring. If
   /// the share m = ArrangementDesign::other_mounting is above 0, (softness, hardness) is
@@ -151,8 +152,8 @@ class Arrangement {
 struct LiftOff {
   double front = unset;  ///< load at which the front set becomes unloaded
   /// Load at which the rear set becomes unloaded. NaN means that this load does not exist (in
-  /// tandem, or if a spring of constant force keeps the rear set loaded), or that it would raise
-  /// the pressure in the front set above static_limit_pressure.
+  /// tandem, or if a spring of constant force keeps the rear set loaded), or that this load would
+  /// raise the contact pressure in the front set above static_limit_pressure.
   double rear = unset;
 };
 
@@ -166,11 +167,11 @@ struct LiftOff {
 /// inverse function of axial_force_at_rest().
 [[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
 
-/// Preload gap of universally matched bearings: the faces of the two rings of such a bearing are
-/// flush under the force of a preload class. The gap is the sum of the displacements of one front
-/// bearing and one rear bearing, each under the preload force that the catalogue gives for a pair.
-/// Larger sets have a higher preload than the pair: 1.35 times for two bearings against one, and 2
-/// times for two against two [SNFA, p. 31].
+/// Preload gap of a pair of universally matched bearings. If such a bearing is loaded with the
+/// force of its preload class, the faces of its inner and outer ring are flush. The gap is the sum
+/// of the displacements of one front bearing and one rear bearing, each under the preload force
+/// that the catalogue gives for a pair. Larger sets have a higher preload than the pair: 1.35 times
+/// if one set has two bearings, and 2 times if both sets have two bearings [SNFA, p. 31].
 [[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
                                             const Bearing& rear, double rear_force);
 

@@ -101,13 +101,13 @@ struct ArrangementEquilibrium {
   /// the axial stiffness are known. The other displacements are 0, and the other stiffness
   /// components are NaN.
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
-  /// Returns the ball rotation of each bearing, so that another calculation can use it as
+  /// Returns the ball rotation of each bearing, so that another calculation can use the list as
   /// EquilibriumOptions::rotations. The list is empty under race control and at standstill.
   [[nodiscard]] std::vector<GivenRotation> rotations() const;
 };
 
-/// Returns `options` for a calculation of bearing i alone: EquilibriumOptions::rotations then
-/// contains only the rotation of this bearing.
+/// Returns `options` for a calculation of bearing i alone: EquilibriumOptions::rotations of the
+/// result contains only the rotation of bearing i.
 [[nodiscard]] EquilibriumOptions options_of_bearing(const EquilibriumOptions& options,
                                                     std::size_t i);
 
@@ -117,8 +117,9 @@ struct ArrangementEquilibrium {
 ///
 ///   F_min = Z F_c tan α0
 ///
-/// Source:   derived. The minimum spring preload of the maker GMN at the speed limit is 0.9 to 1.3
-///           times this load for the S series, and 0.5 to 0.8 times for series with smaller balls.
+/// Source:   derived. The manufacturer GMN gives a minimum spring preload. At the speed limit, this
+///           preload is 0.9 to 1.3 F_min for the S series, and 0.5 to 0.8 F_min for series with
+///           smaller balls.
 [[nodiscard]] double minimum_load(const Bearing& bearing, double centrifugal_force);
 
 /// Finds the shaft position at equilibrium of front set, rear set and external load.
@@ -137,8 +138,9 @@ struct ArrangementEquilibrium {
 /// Domain:   speed >= 0. A state in which a bearing is in tension is not an equilibrium.
 /// Accuracy: the imbalance of the forces on the shaft is at most `options.tolerance` times the
 ///           largest of preload, external load, front force and rear force. If rounding errors stop
-///           the iteration, ten times this limit is accepted. The tilt of the inner rings is locked
-///           at zero. The physics is the same as in solve_bearing_equilibrium().
+///           the iteration, an imbalance of up to ten times this limit is accepted. The tilt of the
+///           inner rings is locked at zero. The equations of the balls are the same as in
+///           solve_bearing_equilibrium().
 /// Throws std::invalid_argument if a value of `condition` is NaN or out of range, or if the number
 /// of shifts or rotations differs from the number of bearings.
 [[nodiscard]] ArrangementEquilibrium solve_arrangement(

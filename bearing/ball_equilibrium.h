@@ -78,11 +78,11 @@ struct BallForcesOf {
 ///
 ///   Ti = To = 0.2 C m (1 - m) sin αi
 ///
-/// A positive M_g reduces αo. Equations (14) and (18) of [CaseStudy] have another sign: there, a
-/// positive M_g increases αo. A ball without inner contact (δi <= 0) is under outer control and
-/// exerts no force on the inner ring. Under inner control, the forces jump when the contact is
-/// lost, so some loads have no equilibrium. For a given rotation, m, Ti and To follow from
-/// GivenRotation.
+/// A positive M_g reduces αo. In equations (14) and (18) of [CaseStudy], M_g has the opposite sign,
+/// so a positive M_g increases αo. A ball without inner contact (δi <= 0) is under outer control
+/// and exerts no force on the inner ring. Under inner control, the forces of a ball jump when the
+/// ball loses the inner contact, so some loads have no equilibrium. For a given rotation, m, Ti and
+/// To follow from GivenRotation.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]

@@ -9,7 +9,8 @@
 namespace raceway::bearing {
 
 /// Immutable ball bearing for the solvers: checked geometry, materials and derived constants. The
-/// constructor computes the Hertz contacts, so use the same object for many operating points.
+/// constructor computes the Hertz contacts, which takes time: construct one object, and use this
+/// object for all operating points.
 class Bearing {
  public:
   /// Throws std::invalid_argument in the same cases as validated(geometry) and validate(material).
@@ -18,8 +19,8 @@ class Bearing {
   [[nodiscard]] const BearingGeometry& geometry() const { return geometry_; }
   [[nodiscard]] const Material& balls() const { return balls_; }
   [[nodiscard]] const Material& rings() const { return rings_; }
-  /// Contact of ball and race, with the curvature at the nominal contact angle. At the contact
-  /// angle in operation, the stiffness differs by less than 0.2 %.
+  /// Contact of ball and race, with the curvature at the nominal contact angle. With the curvature
+  /// at the contact angle in operation, the contact stiffness would differ by less than 0.2 %.
   [[nodiscard]] const HertzContact& contact(Race race) const {
     return race == Race::inner ? inner_ : outer_;
   }

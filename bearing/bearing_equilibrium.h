@@ -22,7 +22,7 @@ enum class Tilt { locked, free };
 struct EquilibriumOptions {
   RaceControl race_control = RaceControl::outer;
   Tilt tilt = Tilt::locked;
-  bool gyroscopic_moment = true;  ///< false omits the moment M_g of the balls, for comparison
+  bool gyroscopic_moment = true;  ///< false: the moment M_g of the balls is neglected
   double tolerance = 1e-11;   ///< largest accepted imbalance of forces, relative to the load [1]
   int max_iterations = 2000;  ///< limit of the Newton steps, summed over all search stages
   /// Rotations of the balls, used instead of race control. For one bearing, the list has one

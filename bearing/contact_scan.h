@@ -22,11 +22,12 @@ struct ScannedSet {
 /// along the load and, with free tilt, the tilt about the axis perpendicular to the load. At each
 /// node the scan solves the equilibrium of each ball separately. A ball has up to three states: on
 /// the inner race at a larger or a smaller contact angle, or without contact with the inner race.
-/// The scan repeatedly changes the state of one ball. Each time, the scan makes the change that
-/// reduces the imbalance of the ring most. The resulting set of contacts is stored with the
-/// positions of ring and balls. If the same set of contacts occurs again at a later node with a
-/// clearly smaller imbalance (at most 0.7 times the earlier imbalance), the set is stored again.
-/// The function returns all stored sets in rising order of imbalance.
+/// From the states at a node, the scan makes a sequence of changes. Each change gives one ball
+/// another state, so that the imbalance of the ring becomes as small as possible. When no change
+/// reduces the imbalance by more than 0.1 %, the set of contacts is stored with the positions of
+/// ring and balls. A set that is already stored is stored again only if its imbalance at a later
+/// node is at most 0.7 times the earlier imbalance. The function returns all stored sets in rising
+/// order of imbalance.
 ///
 /// A returned set is a start for Newton's method, not an equilibrium. The result of Newton's method
 /// shows whether the contacts of the set are valid.

@@ -17,9 +17,10 @@ namespace raceway::bearing {
 /// Domain:   speed >= 0. The grooves may be shifted (RingShift).
 /// Accuracy: the imbalance of each ball is at most `options.tolerance` times the sum of its load at
 ///           the outer race and its approximate centrifugal force. If rounding errors stop the
-///           iteration, the limit is 1e-8 instead of `options.tolerance`. The physics is the same
-///           as in solve_bearing_equilibrium(). If the rings of an angular-contact bearing are
-///           separated, no ball touches the inner race, as in solve_arrangement().
+///           iteration, the limit is 1e-8 instead of `options.tolerance`. The equations of the
+///           balls are the same as in solve_bearing_equilibrium(). If the rings of an
+///           angular-contact bearing are separated, no ball touches the inner race, as in
+///           solve_arrangement().
 class DisplacedBearing {
  public:
   DisplacedBearing(const Bearing& bearing, double speed, const RingShift& shift = {},

@@ -24,8 +24,8 @@ namespace raceway::bearing {
 ///      then guesses that differ from a guess of step 2 by one ball, with more Newton steps,
 ///   7. under inner control, guesses that are found on a grid of ring positions (contact_scan.h).
 ///
-/// Without axial load, the search uses only step 4. Under outer control, the forces are continuous
-/// in the displacement. Under outer control, steps 1, 3, 4 and 5 have therefore found every
+/// Without axial load, the search uses only step 4. Under outer control, the ball forces are
+/// continuous functions of the ring displacement, and steps 1, 3, 4 and 5 have found every
 /// equilibrium that is known to exist. Under inner control, the gyroscopic couple of a ball becomes
 /// zero when the ball loses the inner contact, so an equilibrium may exist only for one combination
 /// of lost contacts. At about 0.02 % of random operating points under inner control, the search

@@ -8,8 +8,9 @@
 namespace raceway::bearing {
 
 /// Chooses the balls that keep contact with the inner race under inner control (RaceControl), and
-/// computes the positions of the ring and the balls from static equilibrium. These balls are called
-/// kept balls. The other balls are called lost balls: they lie against the outer race.
+/// computes the positions of the ring and the balls from static equilibrium. A ball that keeps this
+/// contact is called a kept ball. A ball without this contact is called a lost ball: it touches
+/// only the outer race.
 ///
 /// A kept ball exerts the axial force f and the radial force f_r on the ring. The class assumes
 /// that f is a linear function of c = cos(ψ - φ). ψ is the azimuth of the ball, and φ is the
@@ -25,7 +26,7 @@ namespace raceway::bearing {
 /// distance between the two groove centres. The radial displacement of the ring follows from the
 /// condition that Σ f_r c equals the radial load. τ comes from the gyroscopic couple and does not
 /// decrease with the load, so only a few balls carry a light load. choose() adds kept balls until
-/// no lost ball touches the inner race.
+/// no lost ball penetrates the inner race.
 class LoadShares {
  public:
   LoadShares(const RingSystem& system, double direction);

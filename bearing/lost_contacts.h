@@ -11,8 +11,8 @@ namespace raceway::bearing {
 /// contact with the inner race) or lost (without this contact), see InnerContact. When a ball loses
 /// the contact, its gyroscopic couple becomes zero, and the ball moves further away from the race.
 /// Over a range of groove positions, a ball therefore has an equilibrium with inner contact and
-/// another equilibrium without inner contact. The search tries several sets of kept balls. A
-/// solution is valid if no kept ball is in tension and no lost ball penetrates the race.
+/// another equilibrium without inner contact. The search therefore tries several sets of kept
+/// balls. A solution is valid if no kept ball is in tension and no lost ball penetrates the race.
 class ContactSearch {
  public:
   explicit ContactSearch(RingSystem& system) : system_(system) {}

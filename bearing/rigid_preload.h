@@ -6,7 +6,7 @@ namespace raceway::bearing {
 
 /// Returns the axial load F2 of the relieved bearing in a pair of equal bearings with rigid preload
 /// [N]. An external axial load F_a increases the load of one bearing and relieves the other
-/// bearing. F2 is 0 if the relieved bearing has lost its load.
+/// bearing. F2 is 0 if F_a unloads the relieved bearing completely.
 ///
 ///   δ(F2 + F_a, n) + δ(F2, n) = 2 δ(P, 0)
 ///

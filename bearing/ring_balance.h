@@ -11,8 +11,8 @@
 
 // Sums of the ball forces on one inner ring, derivatives of these sums, and results of each ball.
 // Tilts are multiplied and moments are divided by the radius R_i of the circle of the inner groove
-// centres. All unknowns are then lengths, and all loads are forces, so the imbalances of all
-// components can be divided by one load (load_scale).
+// centres. With this scaling, all unknowns are lengths and all loads are forces, so the imbalances
+// of all components can be divided by one load (load_scale).
 namespace raceway::bearing {
 
 /// Model of a ball. The contacts of a ball at rest are two springs in series. The rotation of an
@@ -174,7 +174,7 @@ template <BallModel model, typename T>
     const T scale = p.ball_scale + b.outer_load;
     const T squared = scale * scale;
     // The determinant is 0 if the approach at the outer race is smaller than its rounding error.
-    // The ball is then not moved.
+    // A ball with the determinant 0 is not moved.
     const T product = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
     const Mask<T> lies = product == T(0.0);
     const T determinant = select(lies, T(1.0), product);
@@ -253,8 +253,8 @@ struct RingSums {
   [[gnu::always_inline]] void add(const BallCircle& circle, int k, const BallShare<T>& share) {
     const double c = circle.cosine[k], s = circle.sine[k], w = circle.weight(k);
     // `unit`: displacement of the groove centre per unit of each coordinate. `column` is 0 for an
-    // axial and 1 for a radial displacement. The force of the ball acts on the ring with the same
-    // factors. `row` is the component of BallShare::force: f_m acts on the tilts.
+    // axial and 1 for a radial displacement. The force of the ball on the ring is transformed with
+    // the same factors `unit`. `row` is the component of BallShare::force: f_m acts on the tilts.
     const double unit[] = {1.0, c, s, s, -c};
     constexpr int row[] = {0, 1, 1, 2, 2}, column[] = {0, 1, 1, 0, 0};
     for (int i = 0; i < C::count; ++i) {
@@ -319,8 +319,8 @@ struct RingReport {
 };
 
 /// Computes angles and forces of the distinct balls for a ring in equilibrium, and stores them in
-/// `reports`. Then the function adds up the stored ball forces and compares their sum with the
-/// applied load. This comparison is an independent check of the results.
+/// `reports`. As an independent check of the results, the function compares the sum of the stored
+/// ball forces with the applied load.
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {
@@ -329,7 +329,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   const T diameter = 2.0 * p.moment_arm_ratio * p.lever - 2.0 * p.ball.inner_radius;
   RingSums<AllCoordinates, T> sums;
   T worst_ball = zero, sum[5] = {zero, zero, zero, zero, zero};
-  T nothing = zero;  // but NaN if a number is not finite
+  T nothing = zero;  // 0, or NaN if a result is not finite
   const auto look = [&nothing](const T& number) { nothing = nothing + (number - number); };
   for (int k = 0; k < circle.used(); ++k) {
     const PlaneOf<T> a = groove_centre<AllCoordinates>(p, circle, ring, k);

@@ -37,9 +37,9 @@ struct NewtonProgress {
 /// moves the ring by at most half the distance of the groove centres. A full step may raise the
 /// merit by the factor NewtonLimits::rise, because a ball may gain or lose contact. If the merit
 /// rises more, the step is halved until the merit does not rise. After six halvings, the step is
-/// accepted in any case. When a lane converges, use its trial state as the result. The trial state
-/// is one Newton step beyond the accepted state, so its error is near the rounding error. `steps`
-/// does not include this last step.
+/// accepted even if the merit rises. When a lane converges, use its trial state as the result. The
+/// trial state is one Newton step beyond the accepted state, so its error is near the rounding
+/// error. `steps` does not include this last step.
 template <typename T>
 class RingNewton {
  public:
@@ -98,8 +98,8 @@ template <BallModel model, class C>
     const auto i = static_cast<std::size_t>(k);
     const PlaneOf<T> centre = groove_centre<C>(point, circle, trial_ring, k);
     bool alike = false;
-    // A ball with the same position as the ball before it is not computed again. At a thrust start,
-    // all balls are equal.
+    // A ball with the same position as the previous ball is not computed again. At a thrust start,
+    // all balls have equal positions.
     if constexpr (is_scalar<T>)
       alike = centre == last_centre && trial_balls[i] == last_ball && !contacts &&
               circle.rotations.size() <= 1;

@@ -33,8 +33,9 @@ class RingSystem {
 
   void set_point(const OperatingPoint& point);
 
-  /// Iterates from `state` until the equilibrium is within the tolerance. Returns true if `state`
-  /// is then the equilibrium. If the result is false, `state` is undefined.
+  /// Iterates from `state` until the residual is within the tolerance. Returns true if the
+  /// iteration has changed `state` to an equilibrium. If the function returns false, `state` is
+  /// undefined.
   [[nodiscard]] bool newton(RingState& state);
   /// Writes the equilibrium of `state` to `result`, except status and iterations.
   void fill(const RingState& state, BearingEquilibrium& result) const;
@@ -57,7 +58,7 @@ class RingSystem {
   /// Allows at most `steps` further Newton steps, in all following calls of newton() together. The
   /// limit EquilibriumOptions::max_iterations still applies.
   void allow(int steps) { end_ = std::min(options_.max_iterations, iterations_ + steps); }
-  /// True if all allowed steps are used. newton() then makes no step.
+  /// True if all allowed steps are used, so that newton() makes no further step.
   [[nodiscard]] bool exhausted() const { return iterations_ >= end_; }
 
   /// Number of balls whose positions are unknowns: one, Z/2 + 1, or all Z (see Symmetry).

@@ -62,9 +62,9 @@ inline constexpr std::size_t lamina_count = 41;
 ///
 /// P is zero in the straight middle of a long roller, and for RollerProfile::none.
 /// Source:   [ISO16281], not checked against the printed standard. Two other programs use the first
-///           formula. The second formula was written without a copy of the standard. One of these
-///           programs sets the brackets of the second formula differently, so their position is
-///           uncertain.
+///           formula. The second formula was written without a copy of the standard. One of the two
+///           programs sets the brackets of the second formula differently, so the position of the
+///           brackets is uncertain.
 /// Domain:   |x| < L/2.
 [[nodiscard]] double roller_relief(const RollerGeometry& geometry, double x);
 
@@ -84,8 +84,8 @@ inline constexpr std::size_t lamina_count = 41;
 /// Accuracy: the approach is within 2.5 % of a boundary element solution for the contact of a strip
 ///           and a cylinder. Palmgren's formula 3.84e-5 Q^0.9/L^0.8 gives an approach that is 3.4 %
 ///           smaller.
-/// Trap:     the constant 35948 is for both contacts in series, but the constant 3.84e-5 is for one
-///           contact.
+/// Trap:     the constant 35948 of ISO/TS 16281 is for both contacts in series, but the constant
+///           3.84e-5 of Palmgren is for one contact.
 struct LineContact {
   double stiffness = unset;     ///< c1 of one slice at one race [N/m^(10/9)]
   double compliance = unset;    ///< k1 + k2, sum of k = (1 - ν²)/E of roller and ring [1/Pa]

@@ -61,8 +61,9 @@ struct RollerEquilibrium {
   /// positive, because a larger clearance reduces the sum of the roller loads. Σ Qo has the same
   /// derivative.
   double sum_by_clearance = unset;
-  /// True if there is no load and no inner contact. Such a state is a valid equilibrium. The ring
-  /// is free within its clearance, so stiffness and radial displacement are reported as zero.
+  /// True if there is no load, and no roller touches the inner ring. This state is a valid
+  /// equilibrium. The ring is free within its clearance, so stiffness and radial displacement are
+  /// reported as zero.
   bool loose = false;
   SolveReport report;
 
@@ -139,7 +140,7 @@ class DisplacedRollerBearing {
   [[nodiscard]] const Vector5& force() const { return force_; }
   /// Tangent stiffness ∂force/∂displacement with the rollers in equilibrium [SI].
   [[nodiscard]] const Matrix5& stiffness() const { return stiffness_; }
-  /// Returns all results at the last displacement.
+  /// Returns all results at the displacement of the last call of hold().
   [[nodiscard]] RollerEquilibrium equilibrium() const;
 
  private:

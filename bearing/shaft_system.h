@@ -45,7 +45,7 @@ struct ShaftAssembly {
   ///   softness (F_r - F_0) - hardness (d (x - e) - (δ_r - δ_r0))
   double seat_imbalance;
   double residual;  ///< largest scaled imbalance of shaft, support and balls [1]
-  double merit;     ///< sum of the squares of these scaled imbalances [1]
+  double merit;     ///< sum of the squares of all scaled imbalances [1]
 };
 
 /// Equilibrium of a shaft on its bearing sets, solved by Newton's method. This class is internal to

@@ -29,8 +29,8 @@ namespace raceway::bearing {
 /// Source:   comparison of the contact ellipse with the shoulder height, as in [Harris2006, vol.
 ///           1]; not checked against the book.
 /// Domain:   a bearing in equilibrium. For a deep-groove bearing (α0 = 0, two shoulders), |α|
-///           replaces α. Other bearings have a shoulder on one side only. The margin is NaN without
-///           a shoulder diameter, or if no ball touches.
+///           replaces α. Other bearings have a shoulder on one side only. The margin is NaN if no
+///           shoulder diameter is given, or if no ball touches the race.
 /// Accuracy: the model assumes a sharp edge. A real edge is rounded over about 0.1 mm, which is
 ///           about 1 deg of θ.
 struct ShoulderMargins {
@@ -43,7 +43,8 @@ struct ShoulderMargins {
                                                const BearingEquilibrium& equilibrium);
 
 /// Pure axial load at standstill under which the contact ellipse of a race reaches the edge of the
-/// shoulder [N]. If the bearing has no equilibrium under a load, this load is treated as too large.
+/// shoulder [N]. An axial load under which the solver finds no equilibrium is treated as above the
+/// permissible load.
 ///
 /// Domain:   the result is NaN without a shoulder diameter. The result is 0 if shoulder_angle() is
 ///           not above the nominal contact angle. The result is infinite if the ellipse does not

@@ -36,9 +36,9 @@ struct KernelCall {
 
 // These functions solve many points in parallel by Newton's method, and write the results to
 // KernelCall::blocks and KernelCall::balls. Newton's method starts from the approximate solution
-// for pure thrust (thrust_start.h). If a point does not converge here, the caller solves this point
-// alone (solve_many.h). A result does not depend on the other points of the call. There is one
-// function for each instruction set.
+// for pure thrust (thrust_start.h). If a point does not converge in these functions, the caller
+// solves this point alone (solve_many.h). A result does not depend on the other points of the call.
+// There is one function for each instruction set.
 void solve_sse2(const KernelCall& call);
 void solve_avx2(const KernelCall& call);
 void solve_avx512(const KernelCall& call);

@@ -24,8 +24,8 @@ struct SolveReport {
   SolveStatus status = SolveStatus::not_run;
   int iterations = 0;       ///< number of all Newton steps
   double residual = unset;  ///< largest imbalance of ring and balls, relative to the load [1]
-  /// Difference between the applied load and the sum of the reported ball forces: its largest
-  /// component, relative to the load [1].
+  /// Largest component of the difference between the applied load and the sum of the reported ball
+  /// forces, relative to the load [1].
   double recovered_load_error = unset;
   /// True if statics proves that no equilibrium exists. If this member is false, the status
   /// `no_equilibrium` only means that the solver found no equilibrium.

@@ -16,9 +16,9 @@ enum class InstructionSet { sse2, avx2, avx512 };
 [[nodiscard]] InstructionSet best_instruction_set();
 [[nodiscard]] bool available(InstructionSet set);
 
-/// Operating point together with its bearing. Cases with different Bearing objects can be solved in
-/// the same SIMD batch if the bearings have equal numbers of balls. An example is one bearing at
-/// several temperatures.
+/// Operating point together with its bearing. Cases with different Bearing objects, such as one
+/// bearing at several temperatures, can be solved in the same SIMD batch if the bearings have equal
+/// numbers of balls.
 struct BearingCase {
   const Bearing* bearing = nullptr;
   OperatingPoint point;
@@ -27,7 +27,7 @@ struct BearingCase {
 /// Finds the equilibria of many operating points. The solution of one point is never the start
 /// value of another point. Each status equals the status from solve_bearing_equilibrium(), and the
 /// solutions agree within the tolerance. There is one exception: under inner control, one load can
-/// have several equilibria. Because of rounding, different instruction sets can then find different
+/// have several equilibria, and because of rounding, different instruction sets can find different
 /// equilibria.
 ///
 /// Newton's method solves several points in parallel (SIMD), starting from the approximate solution

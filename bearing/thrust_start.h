@@ -6,9 +6,9 @@
 namespace raceway::bearing {
 
 /// Approximate positions of the ring and of every ball under a pure axial load (thrust). If the
-/// axial load is above 0, the solver starts Newton's method from these positions. If a neighbouring
-/// solution is known, the solver tries this solution first. T is double, or a SIMD batch with one
-/// operating point in each lane (lanes.h).
+/// axial load is above 0, the solver starts Newton's method from these positions. If the solution
+/// of a neighbouring operating point is known, the solver first starts from this solution. T is
+/// double, or a SIMD batch with one operating point in each lane (lanes.h).
 template <typename T>
 struct ThrustStart {
   T axial_displacement;    ///< displacement of the inner ring [m]
@@ -20,8 +20,8 @@ struct ThrustStart {
 ///
 ///   Qi = (P - Ti cos αi)/sin αi,   tan αo = P / (Qi cos αi - Ti sin αi + 1.4 Fc)   (outer control)
 ///
-/// Qi, Ti, Fc and the contact angles αi, αo are explained in BallBalanceOf. Fc is multiplied by 1.4
-/// and not by 1, because of the gyroscopic moment.
+/// Qi, Ti, Fc and the contact angles αi, αo are explained in BallBalanceOf. The term 0.4 Fc in 1.4
+/// Fc comes from the friction force To, which balances the gyroscopic moment.
 template <RaceControl control, typename T>
 class ThrustStatics {
  public:
@@ -249,7 +249,7 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
   };
   // Bracket the root: the radial distance is too long at small contact angles and too short at
   // large contact angles. Under inner control, the static equilibrium may have no solution in a
-  // part of the range. Then there may be no root.
+  // part of the range, so there may be no root.
   T high = free.radial / max(free.axial, 0.01 * free.radial);
   T at_high = excess(high, !quick);
   for (int i = 0; i < 20; ++i) {

@@ -26,8 +26,8 @@ class MessageText : public session::Messages {
 class Reply {
  public:
   Reply(char* text, std::size_t size) noexcept;
-  /// Stores the text with a terminating zero byte. A text that is too long is cut between two UTF-8
-  /// characters.
+  /// Stores the text with a terminating zero byte. A text that is longer than the buffer is cut
+  /// between two UTF-8 characters.
   void put(std::string_view text) noexcept;
 
  private:

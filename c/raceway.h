@@ -9,10 +9,10 @@
 ///           The exit status of the program raceway has the same meaning.
 /// Messages: a function with `message` and `message_size` writes its message into the buffer
 ///           `message`, in UTF-8 with a final zero byte. The message contains the error text, or
-///           one line for each note and warning ("note: ...", "warning: ..."). Without error, notes
-///           and warnings, the message is empty. If the buffer is too small, the text is cut off
-///           after a complete character. If `message` is NULL or `message_size` is 0, no text is
-///           written.
+///           one line for each note and warning ("note: ...", "warning: ..."). If there is no
+///           error, note or warning, the message is empty. If the buffer is too small, the text is
+///           cut off after a complete character. If `message` is NULL or `message_size` is 0, no
+///           text is written.
 /// Threads:  several threads may call the functions at the same time, even with the same model,
 ///           because the functions do not change a model. Call raceway_free() once for each model,
 ///           after all other calls with this model.
@@ -66,8 +66,8 @@ RACEWAY_API const char* raceway_status_name(int status);
 RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* source_name,
                                           char* message, size_t message_size);
 
-/// Reads a model from a file. Result and errors are the same as for raceway_create(). The path "-"
-/// is an error, because the function does not read standard input.
+/// Reads a model from a file. The return value and the errors are as for raceway_create(). The path
+/// "-" is an error, because the function does not read standard input.
 RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* message,
                                                     size_t message_size);
 
@@ -98,14 +98,14 @@ RACEWAY_API int raceway_column_index(const raceway_model* model, const char* nam
 ///           NULL, the value of the model is used. speed_rpm is required. Axial loads of a shaft
 ///           are external loads, positive towards the tool. Radial loads are not allowed for a
 ///           shaft.
-/// strides   four numbers, one for each of these arrays in their order. A stride is the distance
-///           from one state to the next, counted in doubles. With a stride of 1, the array has
-///           `count` numbers. With a stride of 0, the array has one number for all states. In
-///           languages without NULL, use a negative stride instead of a NULL array. If `strides` is
-///           NULL, all strides are 1.
+/// strides   four numbers, one for each array of the states, in the order of these arguments. A
+///           stride is the distance from one state to the next, counted in doubles. With a stride
+///           of 1, the array has `count` numbers. With a stride of 0, the array has one number for
+///           all states. In languages without NULL, use a negative stride instead of a NULL array.
+///           If `strides` is NULL, all strides are 1.
 /// columns   indices of the columns to compute, from raceway_column_index(). `column_count` is the
 ///           number of indices. If `columns` is NULL or `column_count` is 0, all columns are
-///           computed, in their order.
+///           computed, in the order of their indices.
 /// values    [count x columns], one column after the other. The result of state i in the j-th given
 ///           column is values[j * count + i], with i and j from 0. In Fortran and MATLAB, this
 ///           result is values(i, j), with i and j from 1. A result that cannot be computed is NaN.
@@ -127,9 +127,9 @@ RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const do
 /// Computes a Stribeck table: raceway_solve() at all points of a grid, with the same values and the
 /// same order of points as `raceway table --format plain`.
 ///
-/// speed_rpm ... temperature_C  the axes of the grid, each an array with its number of values. If
-///           the number of loads or temperatures is 0, the value of the model is used. speed_rpm is
-///           required.
+/// speed_rpm ... temperature_C  the axes of the grid. Each axis is an array, followed by its number
+///           of values. If the number of loads or temperatures is 0, the value of the model is
+///           used. speed_rpm is required.
 /// values    [speeds x axial loads x radial loads x temperatures x columns]. The speed varies
 ///           fastest. The point with the indices s, a, r and t of speed, axial load, radial load
 ///           and temperature has the index
@@ -147,10 +147,11 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
                               double* values, int* status, char* message, size_t message_size);
 
 /// Predicts the reading of a rig [N mm]: the friction torque of all its bearings (`bearings` under
-/// [rig]) with the effects of the model on the sensor. The column friction_torque_Nmm of
-/// raceway_solve() is for one bearing, without effects on the sensor. raceway_predict() solves the
-/// equilibrium of the balls only if the friction law or an effect uses ball loads or angles. For
-/// other models, raceway_predict() is several times faster than raceway_solve().
+/// [rig]), changed by the effects of the model that act on the sensor. The column
+/// friction_torque_Nmm of raceway_solve() is for one bearing, without effects on the sensor.
+/// raceway_predict() solves the equilibrium of the balls only if the friction law or an effect uses
+/// ball loads or angles. For models that do not use ball loads or angles, raceway_predict() is
+/// several times faster than raceway_solve().
 ///
 /// States, strides, return values and errors are as in raceway_solve(). `readings_Nmm` receives
 /// `count` values. `status` receives `count` values or is NULL. The function returns

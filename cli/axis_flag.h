@@ -9,10 +9,10 @@
 namespace raceway::cli {
 
 /// Parses the values of a flag: "100,300,900", "0:12000:250" (from:to:step), or both:
-/// "0,100:500:100". Throws text::InputError for other texts, for values that are not in ascending
-/// order, for equal values, and for more than 1e7 values. Does not reject values outside `range`:
-/// call require_all() for this check. ask_about_thousands() uses `range` to decide whether 1.200
-/// can mean 1200.
+/// "0,100:500:100". Throws text::InputError for a text of another form, for values that are not in
+/// ascending order, for equal values, and for more than 1e7 values. Does not reject values outside
+/// `range`: call require_all() for this check. ask_about_thousands() uses `range` to decide whether
+/// 1.200 can mean 1200.
 [[nodiscard]] std::vector<double> axis(const std::string& text, const NumberRange& range,
                                        const std::string& flag);
 

@@ -17,9 +17,9 @@ struct LearnFlags {
 
   /// Declares the flags.
   void declare(CLI::App& command);
-  /// Checks the flags before reading files. Throws text::InputError if one of the other flags is
-  /// given without --learn, if --every or --forget is not a valid duration, and if --save names a
-  /// file that cannot be written.
+  /// Checks the flags before reading files. Throws text::InputError if --every, --forget or --save
+  /// is given without --learn, if --every or --forget is not a valid duration, and if --save names
+  /// a file that cannot be written.
   void check(text::IfExists if_exists) const;
 };
 

@@ -12,9 +12,10 @@ namespace raceway::cli {
 /// Format of the tables that a command writes. The flags are `--format` (csv, plain or excel),
 /// `--separator` and `--decimal-mark`.
 ///
-/// In the formats `plain` and `excel`, the first line is the header. The command then writes the
-/// comments and the text of the model to a second file, for example run_comments.txt for run.csv.
-/// If the table goes to stdout, the comments and the text of the model are omitted.
+/// In the formats `plain` and `excel`, the first line is the header. In these two formats, the
+/// command writes the comments and the text of the model to a second file, for example
+/// run_comments.txt for run.csv. If the table goes to stdout, the comments and the text of the
+/// model are omitted.
 struct CsvStyle {
   std::string format = "csv", separator, decimal_mark;
 

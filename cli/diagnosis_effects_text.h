@@ -15,15 +15,17 @@ inline constexpr int error_digits = 3;
 [[nodiscard]] std::string channel_error(const std::vector<double>& errors, std::size_t k,
                                         const verdict::Diagnosis& d);
 
-/// Returns a table of the best effects, with at most `most` effects. The text also gives the number
-/// of effects that the table omits.
+/// Returns a table of the best effects, with at most `most` effects. A line below the table gives
+/// the number of effects that the table omits.
 [[nodiscard]] std::string effects_text(const verdict::Diagnosis& d, std::size_t most);
-/// Prints the tested effects, best first, with their errors, gains and sizes.
+/// Prints the tested effects, best first, with the errors and the likelihood gain of the model with
+/// the effect, and with the fitted parameters of the effect.
 void print_effects(const verdict::Diagnosis& d);
 /// Prints confidence intervals for the parameters of the effects in the verdict. Also prints the
 /// parameters of the base law from two fits, without and with these effects.
 void print_intervals(const verdict::Diagnosis& d);
-/// Prints the results of the diagnosis for other base laws, one line for each law.
+/// Prints gain, errors and parameters of each further base model that the diagnosis tried, one line
+/// for each model.
 void print_other_bases(const verdict::Diagnosis& d);
 
 }  // namespace raceway::cli

@@ -11,7 +11,7 @@ namespace raceway::cli {
 /// Prints one line for each effect id. An effect may have several entries with the same id in
 /// `list`, one for each kind of model. These entries must be neighbours.
 void print_effect_list(std::span<const effects::Description> list);
-/// Prints one line for each effect on a displacement over time.
+/// Prints one line for each effect of the catalogue for corrections.
 void print_effect_list(std::span<const correction::EffectCard> cards);
 
 /// Prints all catalogue data of one effect.

@@ -21,8 +21,8 @@ namespace raceway::cli {
   return number(error / channel.factor, digits);
 }
 
-/// Returns a text with the noise of the readings and the source of this value, or with the reason
-/// why the noise is not known.
+/// Returns a text with the noise of the readings and the source of the noise value. If the noise is
+/// not known, the text gives the reason.
 [[nodiscard]] std::string noise_text(const verdict::Comparison& comparison);
 
 /// Smallest number of measured channels for which the program prints the errors as one table.

@@ -34,7 +34,8 @@ class CommonUnit {
   std::string head_{};
 };
 
-/// Prints a line that says whether and in which range a correction can be used (trust).
+/// Prints a line on the trust in a correction: whether the correction can be used, and in which
+/// range.
 void print_trust(const record::Channel& displacement, const correction::Trust& trust);
 
 /// Prints the error measures that papers use in addition to the RMS error and Metrics::fit_percent:

@@ -6,9 +6,9 @@
 #include "record/note.h"
 #include "session/messages.h"
 
-/// Prints the messages of a run. Each kind of message has its own function. These functions print
-/// all JSON documents on stdout, and all messages on stderr except the progress bar and the message
-/// after a stop signal.
+/// Prints the messages of a run. Each kind of message has its own function. Messages go to stderr,
+/// and the JSON document goes to stdout. The progress bar and the message after a stop signal are
+/// printed by functions in progress.h and process.h.
 namespace raceway::cli {
 
 /// Switches off the output of say(), tell() and warn(), for `--quiet`. Errors are still printed.
@@ -18,8 +18,8 @@ void set_quiet(bool quiet);
 /// messages with the same message code.
 void show_every_message();
 
-/// Prints how many notes and warnings of each message code were not printed, and sets these numbers
-/// to 0. Prints nothing with `--quiet` or after show_every_message().
+/// Prints the number of notes and warnings that were not printed, for each message code. Sets these
+/// numbers to 0. Prints nothing with `--quiet` or after show_every_message().
 void count_hidden_messages();
 
 /// Returns true if progress bars are shown: stderr is a terminal and --quiet is not set.
@@ -40,11 +40,11 @@ void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
 
 /// Returns the object that receives the messages of a calculation. The object prints notes by
-/// tell() and warnings by warn(). The object also throws an error if a command has to write a file
-/// that it also reads.
+/// tell() and warnings by warn(). The object also throws an error if a file that the program reads
+/// is an output of the command.
 [[nodiscard]] session::Messages& messages();
 
-/// Prints the reason why a command gives no result, even with --quiet.
+/// Prints the reason why a command gives no result. The reason is also printed with --quiet.
 void complain(const std::string& line);
 
 /// Stores the JSON document of this run. The program prints the document after all other work, so

@@ -33,11 +33,11 @@ struct OutputFlags {
   /// Throws text::InputError if the file cannot be written. Call this function before a long
   /// calculation.
   void require_writable() const;
-  /// Throws text::InputError for `-o -`, because the command prints another output to stdout.
-  /// `shows` names this other output.
+  /// Throws text::InputError for `-o -`, because stdout is used for a different output of the
+  /// command. `shows` names this different output.
   void refuse_stdout(const std::string& command, const std::string& shows) const;
   /// Writes a model to the file `output`, such as my.toml, and prints "my.toml written". File names
-  /// in the model become relative to the folder of this file. Does nothing without `-o`.
+  /// in the model become relative to the folder of the written file. Does nothing without `-o`.
   void put_model(const std::string& text, const std::vector<files::NamedFile>& named) const;
   /// Writes the text to the file `output`, such as my.toml, and prints "my.toml written" and the
   /// text `what`. Without `-o`, prints the text.

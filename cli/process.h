@@ -10,10 +10,11 @@ namespace raceway::cli {
 
 /// Prepares the standard streams and the stop signals of the process. Call start_process() before
 /// all other functions. If stdout or stderr is closed at the start, output to this stream fails
-/// after this call. Without this call, such output would go into the file that the program opens
-/// next. On a stop signal (Ctrl-C, kill, a closed terminal) that is not ignored, the process
-/// removes unfinished files, lists the complete files on stderr, and ends with this signal. If a
-/// file reaches the size limit of the process, the program reports an error as for a full disk.
+/// after this call. Without this call, output to a closed stream would go into the file that the
+/// program opens next. On a stop signal (Ctrl-C, kill, a closed terminal) that is not ignored, the
+/// process removes unfinished files, lists the complete files on stderr, and ends with this signal.
+/// If a file reaches the size limit of the process, the program reports an error as for a full
+/// disk.
 void start_process();
 
 /// Sets the flag raised() at the first Ctrl-C, or when `seconds` [s] have passed. While an

@@ -11,9 +11,9 @@ namespace raceway::cli {
 /// Finds the inputs and outputs in a parsed command line. The files of --output, --report, --plot,
 /// --save, --correction, --end-state and --field are outputs. Every other argument that names an
 /// existing file is an input. A file that is redirected to standard input is also an input. Throws
-/// text::InputError if an output is also an input, even by another path, if two outputs are the
-/// same file, or if an argument contains a control character. The commands `calibrate` and `add`
-/// may replace the file of their argument MODEL.
+/// text::InputError if an output is also an input, even if both have different paths, if two
+/// outputs are the same file, or if an argument contains a control character. The commands
+/// `calibrate` and `add` may replace the file of their argument MODEL.
 void check_files(const CLI::App& command);
 
 /// Checks outputs whose names are known only during the run. Throws text::InputError if such an
@@ -21,7 +21,7 @@ void check_files(const CLI::App& command);
 void check_outputs(const std::vector<std::string>& outputs);
 
 /// Adds an input that is not on the command line, such as a file that the model names. Throws
-/// text::InputError if this file is also an output. Call this function after check_files().
+/// text::InputError if `file` is also an output. Call this function after check_files().
 void add_input(const std::string& file);
 
 }  // namespace raceway::cli

@@ -16,8 +16,8 @@ namespace raceway::cli {
   return force ? text::IfExists::replace : text::IfExists::refuse;
 }
 
-/// Declares the argument `MODEL`: a model file. `with` names the TOML tables that this file must
-/// have.
+/// Declares the argument `MODEL`: a model file. `with` names the TOML tables that the model file
+/// must have.
 void declare_model(CLI::App& command, std::string& model, const std::string& with = {});
 
 /// Declares `--json`.
@@ -33,7 +33,7 @@ void declare(CLI::App& command, session::Reading& reading);
 /// record, such as the temperatures of another logger.
 void declare_beside(CLI::App& command, session::Reading& reading);
 
-/// Declares `--from 20h` and `--until 24h` for a command on records over time.
+/// Declares `--from 20h` and `--until 24h` for a command that reads records over time.
 void declare(CLI::App& command, session::Period& period);
 
 /// Declares `--channel COLUMN`. The command also accepts the old name of this flag,

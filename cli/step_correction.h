@@ -11,7 +11,8 @@
 namespace raceway::cli {
 
 /// Flags `--correction FILE`, `--law`, `--lags` and `--programme`. With these flags, the command
-/// makes a correction from step responses, and compares the correction with the full simulation.
+/// makes a correction from step responses, and compares the displacements from the correction with
+/// the displacements from the full simulation.
 struct StepCorrectionFlags {
   std::string file, programme, law = "curve", lags = "auto";
 
@@ -24,8 +25,9 @@ struct StepCorrectionFlags {
                         const std::vector<std::string>& load_channels) const;
   /// Writes the correction file and its CSV tables; does nothing without `--correction`.
   void write(const session::SpindleSteps& steps, bool replace) const;
-  /// Compares the written correction with the simulation of the speed programme in the file
-  /// `programme`. Returns nothing if `programme` is empty.
+  /// Compares, for the speed programme in the file `programme`, the displacements from the written
+  /// correction with the displacements from the full simulation. Returns nothing if `programme` is
+  /// empty.
   [[nodiscard]] std::optional<results::Superposition> superposition(
       const session::SpindleSteps& steps) const;
 };

@@ -13,8 +13,9 @@ enum class TableForm { text, file, json };
 
 /// Throws text::InputError if a table has too many points for one run or is too large for the
 /// memory. The message gives the size of the table, and a suitable number of parts (slabs) for the
-/// flag --slab. If a table needs more than 1 GB, the function prints this size to stderr. Call this
-/// function before the calculation. `columns` is the number of values per point.
+/// flag --slab. If the table needs more than 1 GB of memory, the function prints the needed memory
+/// to stderr. Call this function before the calculation. `columns` is the number of values per
+/// point.
 void require_memory(const friction::TableAxes& axes, const friction::TableSlab& slab,
                     std::size_t columns, TableForm form);
 

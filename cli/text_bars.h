@@ -8,9 +8,10 @@ namespace raceway::cli {
 
 /// Returns a bar of '#' whose length is proportional to value/full, with at most `width`
 /// characters. A positive value has at least one '#'. `mark` is a value on the same scale, such as
-/// the noise, and is drawn as '|'. `second` is another such value, for example the tolerance, and
-/// is drawn as ':'. If `mark` and `second` have the same place, only ':' is drawn. A mark outside 0
-/// to `full` is not drawn. The text is empty if `full` is not positive and finite.
+/// the noise, and is drawn as '|'. `second` is another value on this scale, for example the
+/// tolerance, and is drawn as ':'. If `mark` and `second` fall on the same character, only ':' is
+/// drawn. A `mark` or `second` is not drawn if it is not above 0, or if it is above `full`. The
+/// text is empty if `full` is not positive and finite.
 [[nodiscard]] std::string bar(double value, double full, std::size_t width, double mark = -1.0,
                               double second = -1.0);
 

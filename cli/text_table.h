@@ -38,8 +38,8 @@ class TextTable {
 
 using text::number;
 
-/// Returns `value` as text. The text has as many decimals as number() gives the value `scale`, so
-/// that a reader can compare both values. A value that is rounded to zero has no minus sign. If
+/// Returns `value` as text. The text has as many decimals as the text of `scale` from number(), so
+/// that a reader can compare both numbers. A value that is rounded to zero has no minus sign. If
 /// `sign` is true, a positive value begins with +.
 [[nodiscard]] std::string beside(double value, double scale, int digits, bool sign);
 

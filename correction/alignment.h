@@ -17,8 +17,8 @@ enum class Zero {
 /// Returns the model prepared for predictions on `record`. The constants that `zero` selects are
 /// subtracted from these predictions. If the machine is warm at the start (`initial_state =
 /// "free"`), the offset and the initial states of the lags are also fitted. This fit uses the
-/// readings before the first long gap. A gap is long if it exceeds both 1 h and 20 times the median
-/// interval between readings.
+/// readings before the first long gap between readings. A gap is long if the gap exceeds both 1 h
+/// and 20 times the median interval between readings.
 [[nodiscard]] std::shared_ptr<const CorrectionSubject> aligned(const Model& model,
                                                                const record::Record& record,
                                                                Zero zero);

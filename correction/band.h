@@ -12,7 +12,7 @@ struct Band {
   std::vector<double> of_numbers{};  ///< standard error due to the uncertainty of the parameters
   /// Standard error due to the sensor resolution in the first row of each run. The model uses
   /// temperature changes since this row, so a rounding error in this row shifts all predictions of
-  /// the run. The record of the fit has a similar error, which is part of the fitted offset.
+  /// the run. The record of the fit has its own rounding error, which is part of the fitted offset.
   std::vector<double> of_beginning{};
   double of_what_is_left = 0.0;  ///< rms of the residual [m]: r in half_width()
   /// Change of the prediction by extrapolation beyond the range of the fit [m]: e in half_width().
@@ -24,10 +24,10 @@ struct Band {
   /// y is the predicted displacement, g is ∂y/∂θ, and C is the covariance of the parameters θ. b²
   /// is the sum over temperature sensors of (∂y/∂T1)² 2 q²/12, where T1 is the value in the first
   /// row and q is the resolution. The sum leaves out sensors for which quantum_of() finds no
-  /// resolution. The factor 2 is necessary because both records have this error: the predicted
-  /// record and the record of the fit. r is the rms of the residual on held-out parts. If no part
-  /// was held out, r is the rms of the residual of the fit. e is the result of extrapolated(), the
-  /// change of the prediction beyond the range of the fit.
+  /// resolution. The factor 2 is necessary because the rounding error occurs in two records: the
+  /// predicted record and the record of the fit. r is the rms of the residual on held-out parts. If
+  /// no part was held out, r is the rms of the residual of the fit. e is the result of
+  /// extrapolated(), the change of the prediction beyond the range of the fit.
   ///
   /// Domain:   records that start with a machine at rest. For a machine that is warm at the start,
   ///           the initial states and the offset are fitted to the record, but the band does not

@@ -15,12 +15,12 @@ namespace raceway::correction {
 
 /// Fits a multiple linear regression of the displacement on the inputs of the model's channels and
 /// on the additional columns in `offered`. In the result, each input drives a channel with a
-/// feedthrough (instant response) and without lags. The regression has no memory and extrapolates
-/// linearly. Three kinds of inputs are left out: calculated powers, inputs that never vary, and
-/// inputs that depend linearly on other inputs. A message names each omitted input. The standard
-/// errors take the autocorrelation of the residual into account. For the held-out error, the record
-/// is divided into eight parts. Each part is predicted with coefficients that are fitted to the
-/// other seven parts.
+/// feedthrough (instant response) and without lags. The regression predicts each row from the
+/// inputs of this row only, and extrapolates linearly. Three kinds of inputs are left out:
+/// calculated powers, inputs that never vary, and inputs that depend linearly on other inputs. A
+/// message names each omitted input. The standard errors take the autocorrelation of the residual
+/// into account. For the held-out error, the record is divided into eight parts. Each part is
+/// predicted with coefficients that are fitted to the other seven parts.
 ///
 /// Throws std::invalid_argument if no input varies, or if there are fewer than three readings per
 /// coefficient.
@@ -35,9 +35,9 @@ namespace raceway::correction {
 
 /// Returns channels with the names and inputs of the channels of a model, but without lags. A
 /// regression or an ARX model is fitted with these channels. A channel whose input is a calculated
-/// power (Input::is_power()) is left out, and a message says so. The result also has one channel
-/// for each column in `offered` that is not the input of another channel. Throws
-/// std::invalid_argument if the result would be empty.
+/// power (Input::is_power()) is left out, and a message says so. Each column in `offered` that is
+/// not the input of one of these channels gives a further channel. Throws std::invalid_argument if
+/// the result would be empty.
 [[nodiscard]] std::vector<DrivenChannel> bare_channels(const Model& model,
                                                        const std::vector<const Channel*>& offered,
                                                        std::vector<record::Note>& messages);
@@ -53,8 +53,9 @@ namespace raceway::correction {
 /// Traps:    a one-step prediction starts from measured values, so its error is small even with
 ///           wrong poles. If readings are close in time or have a coarse resolution, a small error
 ///           only means that the next reading is nearly equal to the last one. A machine control
-///           has no readings of the displacement, so its model must be accurate in a simulation
-///           without readings. Noise of the readings moves the estimated poles towards 0.
+///           has no readings of the displacement, so the model in the control must be accurate in a
+///           simulation without readings. Noise of the readings moves the estimated poles towards
+///           0.
 struct ArxFit {
   int order = 0;
   Metrics one_step{}, simulated{};

@@ -16,16 +16,16 @@ struct Interval {
 };
 
 /// Evaluates a formula y(x). Inside `seen`, the range of x in the data of the fit, the result is
-/// y(x). Outside this range, the result is y(e) plus one of the two changes below, the one with the
-/// smaller absolute value. e is the end of the range next to x.
+/// y(x). Outside this range, the result is y(e) plus a change. e is the end of the range next to x,
+/// and the change is the one of these two with the smaller absolute value:
 ///
 ///   y(x) - y(e)      change of the formula
 ///   y'(e) (x - e)    change along the tangent at e
 ///
-/// If the two changes have different signs, the result is y(e). The result always lies between y(e)
+/// If the two changes have opposite signs, the result is y(e). The result always lies between y(e)
 /// and y(x), so a positive y gives a positive result.
-/// Accuracy: the slope y'(e) is a finite difference. Its step is a millionth of the width of the
-///           range.
+/// Accuracy: the slope y'(e) is a finite difference. The step of this difference is a millionth of
+///           the width of the range.
 template <typename Law>
 [[nodiscard]] double continued(const Law& law, const Interval& seen, double x) {
   if (!(x < seen.lower) && !(x > seen.upper)) return law(x);

@@ -35,7 +35,7 @@ class Characteristic {
   [[nodiscard]] double operator()(double input) const;
   /// Returns the range of x around 0 in which the value is positive. The range includes `lower` and
   /// excludes `upper`. A limit is infinite if the value remains positive on that side. The range of
-  /// a power law starts at 0. If there is no such range, both limits are 0.
+  /// a power law starts at 0. If no range around 0 has positive values, both limits are 0.
   [[nodiscard]] Interval positive_within() const;
   [[nodiscard]] const Form& form() const { return form_; }
 

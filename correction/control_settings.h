@@ -5,9 +5,8 @@
 #include <utility>
 #include <vector>
 
-/// Settings for a correction that runs on a machine control, from the table [export] of a model
-/// file: see docs/control.md. The offset is the correction value by which the control moves an
-/// axis.
+/// Settings in the table [export] of a model file, for a correction that runs on a machine control:
+/// see docs/control.md. The offset is the correction value by which the control moves an axis.
 namespace raceway::correction {
 
 /// Setting of inputs or axes. `columns` contains values for single columns; the value `all` is for
@@ -51,8 +50,8 @@ struct ControlSettings {
   ByColumn<std::string> axis{};
   // Settings of inputs. An entry in `columns` names the column of the input.
   /// Plausible range of an input. The value `all` is for temperatures. For any other input without
-  /// an entry in `columns`, the limit is 10 times its largest absolute value in the data of the
-  /// fit. The input coolant_on has no limit. Limits of temperatures are in °C.
+  /// an entry in `columns`, the limit is 10 times the largest absolute value of this input in the
+  /// data of the fit. The input coolant_on has no limit. Limits of temperatures are in °C.
   ByColumn<ControlLimits> plausible{{-40.0, 150.0}, {}};
   /// Largest allowed change of an input per second; 0: not checked. The value `all` is for
   /// temperatures. Other inputs are checked if they have an entry in `columns`.
@@ -61,7 +60,7 @@ struct ControlSettings {
   /// temperatures. Other inputs are checked if they have an entry in `columns`.
   ByColumn<double> stuck_s{3600.0};
   /// Time constant of a filter on an input [s]; 0: no filter. The filtered input is used for
-  /// contributions without a lag. Lags use the unfiltered input.
+  /// contributions without a lag. Contributions with a lag use the unfiltered input.
   ByColumn<double> smoothing_s{0.0};
   // Settings of all axes and inputs.
   /// Reaction to a fault of an input that lasts longer than `hold_s` [s]. "hold": the model uses

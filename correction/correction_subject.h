@@ -50,8 +50,8 @@ class CorrectionSubject : public fit::Subject {
   /// named. The user may omit the name of the channel or column after the colon if only one
   /// possible effect has the id before the colon. The full id of an effect on the first channel
   /// does not contain the name of this channel, but the user may add it. Unknown ids are returned
-  /// unchanged. Throws std::invalid_argument if several effects match. Call this function on the
-  /// result of informed_by().
+  /// unchanged. Throws std::invalid_argument if `id` fits several effects. Call this function on
+  /// the result of informed_by().
   [[nodiscard]] std::string meant_by(const std::string& id) const;
   /// Returns the possible faults of the record: exchanged columns, a loose sensor, and a sensor
   /// with coarse resolution (see correction/effects/). Call this function on a fitted model.
@@ -61,12 +61,12 @@ class CorrectionSubject : public fit::Subject {
   /// contains nearly all variation of an input and the record has several runs, each run is divided
   /// into eight blocks instead; part k then consists of block k of every run. A part that contains
   /// nearly all variation of an input is never held out. If `initial_state` is "free", the first
-  /// part is never held out. The list is empty for fewer than 16 readings.
+  /// part is never held out. The result is empty for fewer than 16 readings.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
 
-  /// Unknown of a record that is fitted together with the parameters of the model: the zero of the
-  /// readings (constant offset) in a run or setup after the first or, if `initial_state` is "free",
-  /// the initial state of a lag.
+  /// Unknown that belongs to the record and is fitted together with the parameters of the model. It
+  /// is the zero of the readings (constant offset) in a run or setup other than the first. If
+  /// `initial_state` is "free", it may also be the initial state of a lag.
   struct Beginning {
     fit::Parameter parameter{};
     int zero = 0;  ///< value in Series::zero(); unused for an initial state

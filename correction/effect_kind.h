@@ -18,25 +18,26 @@ struct EffectCard {
   std::string_view id;
   std::string_view title;
   std::string_view form;      ///< formula with input u, state x of a lag and displacement y
-  std::string_view needs;     ///< properties of a record in which the effect can be identified
+  std::string_view needs;     ///< properties that a record needs so that a fit finds the effect
   std::string_view confused;  ///< effects with a similar influence on the displacement
   /// Parameters in the units of the model file. The unit "um/u" means um per unit of the input.
   std::span<const record::NumberCard> numbers;
-  /// Index of the size parameter in `numbers`. The effect is off if this parameter has its neutral
-  /// value.
+  /// Index in `numbers` of the parameter for the size of the effect. The effect is off if this
+  /// parameter has its neutral value.
   std::size_t size = 0;
   /// True if the effect changes the response of a channel to its input (a channel is a contribution
   /// to the displacement that one input drives). Otherwise the effect adds its own contribution.
   bool of_channel = false;
-  /// True: the effect acts on the channel in `Effect::where` ("": the first channel).
+  /// True: the effect acts on one channel. `Effect::where` is the name of this channel; "" means
+  /// the first channel.
   bool at_channel = false;
   /// True if full_id() contains the name of a column. The column is the input of the effect, or the
   /// axis position that limits the effect to a window.
   bool by_column = false;
   bool by_window = false;   ///< true: the effect can be limited to a range of an axis position
   bool of_reading = false;  ///< true: the effect is valid only for the record of the fit
-  /// True for a fault of the record, such as a loose sensor. faults() finds such faults. Such a
-  /// fault has no parameters, and a model never contains it.
+  /// True for a fault of the record, such as a loose sensor. faults() finds these faults. A fault
+  /// has no parameters and is never part of a model.
   bool evidence = false;
   bool needs_input = false;  ///< true: a model file must name the columns of the effect
 };
@@ -96,8 +97,8 @@ class EffectKind {
   [[nodiscard]] virtual bool may_end_before(std::size_t number) const;
   /// Returns true if the contribution of the effect is proportional to this parameter.
   [[nodiscard]] virtual bool is_proportional(std::size_t number) const;
-  /// Returns the bounds of a parameter. `limits` is the range of time constants that the record can
-  /// determine; the bounds of a time constant lie within this range.
+  /// Returns the bounds of a parameter. `limits` is the range of time constants that a fit can
+  /// determine from the record. The bounds of a time constant lie within this range.
   [[nodiscard]] virtual Interval bounds(const Effect& effect, std::size_t number,
                                         const Model& model, const TimeConstantLimits& limits) const;
   /// Returns the key of a parameter in a model file, such as "gain_um_K", for a displacement in um.
@@ -145,7 +146,7 @@ class EffectKind {
 [[nodiscard]] const EffectCard& card_of(const Effect& effect);
 
 /// Returns the value of an effect's parameter in the unit of `number`. Throws std::logic_error if
-/// the effect has no such parameter.
+/// the effect has no parameter with the name of `number`.
 [[nodiscard]] double value_of(const Effect& effect, const record::NumberCard& number);
 
 }  // namespace raceway::correction

@@ -35,9 +35,9 @@ struct Unknown {
 ///
 ///   y(t) = sum_j h_j(t) x_j(t) + v,   v ~ N(0, r²)
 ///
-/// The class is a Kalman filter in Joseph's form. Without bounds, random walks (q > 0) and unknowns
-/// that are rates of change (Unknown::rate_of), the filter is equivalent to a Gaussian-process
-/// regression on all readings so far, with the kernel
+/// The class is a Kalman filter in Joseph's form. If no unknown has a random walk (q > 0) or a
+/// bound, and no unknown is a rate of change (Unknown::rate_of), the filter is equivalent to a
+/// Gaussian-process regression on all readings so far, with the kernel
 ///
 ///   k(t, t') = sum_j h_j(t) h_j(t') s_j² exp(-|t - t'|/T_j)
 ///
@@ -57,7 +57,7 @@ class UnknownsFilter {
 
   struct Expected {
     double mean = 0.0;
-    double variance = 0.0;  ///< variance of the sum, without the noise of a reading
+    double variance = 0.0;  ///< variance of sum_j h_j x_j, without the noise of a reading
   };
   /// Returns the expected mean and variance of sum_j h_j x_j at the time dt [s] after the present
   /// time of the filter. `weights` contains the h_j.

@@ -20,7 +20,8 @@ struct IdentifyOptions {
   std::vector<const Channel*> offered{};
   std::size_t most_channels = 6;
   std::function<void(double share, std::string_view step)> progress{};
-  std::function<bool()> cancelled{};  ///< identify() throws fit::Cancelled if this returns true
+  /// If this function returns true, identify() throws fit::Cancelled.
+  std::function<bool()> cancelled{};
 };
 
 /// A model structure (channels and their numbers of lags) that identify() tried, and its errors.
@@ -33,9 +34,9 @@ struct StructureTried {
   bool taken = false;
 };
 
-/// Error of a fit to the first part of a record, tested on all later readings.
+/// Error of a model that is fitted to an initial part of a record and predicts all later readings.
 struct AheadError {
-  double from = unset;  ///< duration of the first part, to which the model is fitted [s]
+  double from = unset;  ///< duration of the initial part, to which the model is fitted [s]
   double rms = unset;   ///< rms error on the later readings [m]
 };
 
@@ -45,8 +46,8 @@ struct StrengthTried {
   /// λ [um² per square of the unit of a gain: um/K, um/(m/min) or um/1000 rpm].
   double strength = unset;
   double speed_weight = unset;  ///< weight s of speeds in the ridge penalty [1]
-  /// RMS error of a model that is fitted to a first part of the record and predicts all later
-  /// readings. The value is the mean over several first parts [m].
+  /// RMS error of a model that is fitted to an initial part of the record and predicts all later
+  /// readings [m]. The value is the mean over several initial parts of different length.
   double rms_ahead = unset;
   /// Weight of this pair of λ and s [1]. The gains of the model are the weighted mean over all
   /// tried pairs.
@@ -60,7 +61,7 @@ struct Identification {
   /// Fitted parameters with standard errors. A bank of lags has no standard errors.
   std::vector<record::Parameter> parameters{};
   std::vector<StrengthTried> strengths{};  ///< for a bank of lags: ridge strengths that were tried
-  std::vector<AheadError> ahead{};         ///< for a bank of lags: one error for each first part
+  std::vector<AheadError> ahead{};         ///< for a bank of lags: one error per initial part
   Metrics metrics{};            ///< errors on the whole record, with a fitted offset for each run
   double rms_held_out = unset;  ///< rms error on held-out readings [m]
   double condition = unset;
@@ -85,7 +86,7 @@ struct Identification {
 /// time constants are fitted by variable projection with many starts. The program adds channels and
 /// lags while the rms error on eight held-out parts decreases sufficiently (see IdentifyOptions).
 /// If no part can be held out, the rms error of the fit decides. The search uses means of
-/// neighbouring rows. The final fit of the parameters uses the single rows. Gains, time constants
+/// neighbouring rows. The final fit of the parameters uses the original rows. Gains, time constants
 /// and the kinematic law of `model` are start values. Delay elements and transfer functions with
 /// published coefficients remain unchanged.
 ///

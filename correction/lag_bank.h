@@ -34,16 +34,18 @@ struct LagBankOptions {
 ///   λ     ridge strength [um² per square of the unit of g_ij]
 ///   s_i   weight of input i in the penalty [1]; only speeds have a weight other than 1
 ///
-/// Slow lags have larger penalties, because their errors last longest after the record. Lags below
-/// 600 s and the instant response have the penalty of a lag of 600 s. A speed n adds two inputs: n,
-/// and n (n/1000 rpm)^0.5 for the friction heat. A speed has no instant response.
+/// Slow lags have larger penalties, because their errors decay most slowly after the end of the
+/// record. Lags below 600 s and the instant response have the penalty of a lag of 600 s. A speed n
+/// adds two inputs: n, and n (n/1000 rpm)^0.5 for the friction heat. A speed has no instant
+/// response.
 ///
-/// The program tries seven values of λ from 0.01 to 10, and three weights s_i of the speeds from
-/// 0.1 to 1. Each combination is fitted to six initial parts of the record (59 % to 88 % of its
-/// duration) and tested on the rest. The final gains are the mean of the fits to the whole record,
-/// weighted by (rms error of the tests)^-4. The choice of a single best λ would depend mostly on
-/// chance. Tests on parts from the middle of the record would favour gains that are valid only
-/// within the record.
+/// The program tries seven values of λ (0.01 to 10) and, for the speeds, three weights s_i (0.1 to
+/// 1). For each combination, the gains are fitted to six initial parts of the record (59 % to 88 %
+/// of its duration) and tested on the rest. The final gains are a weighted mean of the gains that
+/// each combination gives for the whole record; the weight is (rms error of the tests)^-4. A mean
+/// is used because the choice of a single best λ would depend mostly on chance. The tests use
+/// initial parts because tests on parts from the middle of the record would favour gains that are
+/// valid only within the record.
 ///
 /// If there are many sensors, and the influence of each sensor on the displacement is unknown, a
 /// bank of lags usually predicts better than a few lags with fitted time constants. A few lags fit

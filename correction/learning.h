@@ -87,7 +87,7 @@ struct Learning {
   /// has no used reading.
   double next_reading = unset;
   double level = 1.0;  ///< ratio of the actual to the expected size of the residual [1]
-  /// Values that learn() has used, see LearningOptions [m].
+  /// Values that learn() has used for the settings of these names in LearningOptions [m].
   double misfit = unset, reading_std = unset;
   Model model{};  ///< model with the learned gains and zero at the end of the record
 };
@@ -114,11 +114,12 @@ struct Learning {
 ///
 /// The d_i are independent processes, and their sum has a standard deviation of m/5. One process
 /// has a correlation time of half an hour. The correlation times of the other processes are time
-/// constants of the model, up to 24 h. Each correlation time is more than 1.5 times the next
-/// shorter correlation time.
+/// constants of the model, up to 24 h. A time constant is used only if it is more than 1.5 times
+/// the next shorter correlation time.
 ///
-/// All a_j and b_l return to 0 with the time constant `forgetting`. The standard deviation of the
-/// sum of all b_l is 2 m. An effect that is valid only for the record of the fit has no a_j.
+/// All a_j and b_l return to 0 with the time constant LearningOptions::forgetting. The standard
+/// deviation of the sum of all b_l is twice the misfit m. An effect that is valid only for the
+/// record of the fit has no a_j.
 ///
 /// A Kalman filter (UnknownsFilter) estimates all unknowns together. The variances of the unknowns
 /// are multiplied by level² (Learning::level). level² is the mean ratio of the squared residual to

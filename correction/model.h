@@ -33,8 +33,8 @@ struct Window {
   const Channel* column = nullptr;  ///< position of the axis
   /// Four rising positions [SI]; infinite on a side without a limit.
   std::array<double, 4> points{};
-  /// True: the factor multiplies the input before the lags. Use this if heat arises only while the
-  /// axis is in the window. False: the factor multiplies the displacement. Use this if a machine
+  /// True: the factor multiplies the input before the lags. Set true if heat arises only while the
+  /// axis is in the window. False: the factor multiplies the displacement. Set false if a machine
   /// part moves the tool only while the axis is in the window.
   bool of_input = false;
 
@@ -81,8 +81,9 @@ struct Input {
   [[nodiscard]] bool is_power() const { return table != nullptr; }
   /// Returns true if no column, friction table or formula defines the input.
   [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
-  /// Returns the unit of the input to which gains refer, such as "m/min". key_unit() returns this
-  /// unit in the form for keys, such as "m_min". factor() returns the SI value of this unit.
+  /// Returns the unit of the input, such as "m/min". Model files give gains per this unit.
+  /// key_unit() returns this unit in the form for keys of model files, such as "m_min". factor()
+  /// returns the SI value of this unit.
   [[nodiscard]] std::string_view unit() const;
   [[nodiscard]] std::string_view key_unit() const;
   [[nodiscard]] double factor() const;
@@ -151,9 +152,9 @@ struct SeenRange {
   /// Column of the input; null if the input is the power of a channel.
   const Channel* column = nullptr;
   std::string name{};  ///< name of the column or the channel
-  /// Limits [SI]; for a temperature the value in K, not its change.
+  /// Limits of the input [SI]. For a temperature, these are absolute values [K], not changes.
   double lower = unset, upper = unset;
-  /// Longest time during which the temperature was constant [s]; NaN: unknown.
+  /// For a temperature: longest time during which the reading was constant [s]; NaN: unknown.
   double still = unset;
 };
 
@@ -179,13 +180,13 @@ struct Left {
 /// Error of a fitted model on readings that the fit did not use, and properties of the readings.
 /// trust_of() rates the model from these values.
 struct Evidence {
-  /// Rms error on readings that the fit did not use [m]; NaN if there are none.
+  /// Rms error on readings that the fit did not use [m]; NaN if the fit used all readings.
   double error = unset;
   /// Rms of the readings after the mean of each run is subtracted [m].
   double uncorrected = unset;
   double duration = unset;  ///< longest time from first to last reading of a run [s]
   bool one_way = false;     ///< true if the readings only rise or only fall, as in a warm-up
-  /// True if `error` and `uncorrected` come from another record than the fit.
+  /// True if `error` and `uncorrected` were computed from a record that the fit did not use.
   bool other_record = false;
 };
 

@@ -11,7 +11,7 @@
 
 namespace raceway::correction {
 
-/// Range of the time constants that a record can determine [s].
+/// Range of the time constants that a fit can determine from a record [s].
 struct TimeConstantLimits {
   double shortest = 1.0, longest = 1e7;
   double record = unset;  ///< duration of the longest run; NaN without a record

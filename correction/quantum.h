@@ -9,8 +9,9 @@
 namespace raceway::correction {
 
 /// Returns the resolution of a column [SI]. The resolution is the smallest difference between two
-/// values. The result is NaN if other differences are not multiples of this difference, or if the
-/// column has fewer than three or more than 2000 different values.
+/// different values. The result is NaN if the other differences between values are not multiples of
+/// this smallest difference, or if the column has fewer than three or more than 2000
+/// different values.
 [[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
 /// Limit for time steps of a record, in multiples of the median time step [1]. A longer time step
@@ -26,11 +27,11 @@ struct Still {
 /// the period, because the value may change during the gap.
 [[nodiscard]] Still longest_still(const record::Record& record, std::span<const double> values);
 
-/// Returns estimates of the true values of a sensor with coarse resolution. At a change of the
-/// reading, the true value is assumed halfway between the two readings. Between these changes, the
-/// function interpolates linearly. If the trend reverses between two changes, an additional point
-/// is used: midway in time between the two changes, the true value is assumed equal to the reading.
-/// `begins` is true at the first row of a run.
+/// Returns estimates of the quantity that a sensor with coarse resolution measures. At a change of
+/// the reading, the true value is assumed halfway between the two readings. Between these changes,
+/// the function interpolates linearly. If the trend reverses between two changes, an additional
+/// point is used: midway in time between the two changes, the true value is assumed equal to the
+/// reading. `begins` is true at the first row of a run.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,
                                                  std::span<const double> values,
                                                  const std::vector<bool>& begins);

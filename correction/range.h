@@ -42,8 +42,8 @@ void forget_what_was_seen(Model& model);
 ///
 /// Without the term 0.01 I (I: identity matrix), d is the distance of [Mahalanobis1936]. d is large
 /// if an input is many standard deviations away from its mean. d is also large if inputs that are
-/// correlated in the data of the fit change in another way. The term 0.01 I keeps d finite for
-/// exactly correlated inputs: if two such inputs differ by 0.14 standard deviations, d is 1.
+/// correlated in the data of the fit deviate from this correlation. The term 0.01 I keeps d finite
+/// for exactly correlated inputs: if two such inputs differ by 0.14 standard deviations, d is 1.
 class Distance {
  public:
   explicit Distance(const SeenTogether& seen);
@@ -71,8 +71,8 @@ struct Beyond {
     double farthest = unset;  ///< input, or distance d, farthest outside the range [SI]
     [[nodiscard]] bool together() const { return name.empty(); }
   };
-  /// Exceeded ranges. The last one is the joint range of all inputs (correction.together), if it is
-  /// exceeded.
+  /// Ranges that the record exceeds. If the record exceeds the joint range of all inputs
+  /// (correction.together), this range is the last element.
   std::vector<Part> parts{};
   std::vector<bool> at_row{};  ///< true for each row outside at least one range
   bool known = false;          ///< false: the model has no input ranges to compare with

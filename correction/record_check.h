@@ -28,14 +28,15 @@ struct RecordCheck {
   double sampling = unset;   ///< median time between rows [s]
   double duration = unset;   ///< duration of the longest run [s]
   std::size_t readings = 0;  ///< number of readings of the displacement
-  /// Scatter of repeated readings. Readings are repeats if they are close in time, with a long
-  /// break before and after them.
+  /// Scatter of repeated readings. A group of readings counts as repeated if they are close in
+  /// time, with a long break before and after the group.
   fit::Repeatability repeatability{};
   /// Upper bound of the standard deviation of the noise [m]. The check computes the bound only if
   /// `reading_interval` exceeds 120 s and `repeatability` is unknown; otherwise the value is NaN.
   double noise_at_most = unset;
   double reading_interval = unset;  ///< median time between two readings [s]
-  /// Limits of time constants that the record can determine [s]; see time_constants_of().
+  /// Limits of the time constants that a fit can determine from the record [s]; see
+  /// time_constants_of().
   double shortest = unset, longest = unset;
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};  ///< one check for each published transfer function of the model

@@ -77,7 +77,7 @@ class Series {
   /// already includes the factor (`Window::of_input`).
   [[nodiscard]] Values shown_share(const Input& input) const;
   /// Returns the number of rows in which the spindle turns and the operating point is outside the
-  /// axes of the friction table; 0 for an input without such a table.
+  /// range of the friction table; 0 for an input without a friction table.
   [[nodiscard]] std::size_t rows_beyond_table(const Input& input) const;
 
   /// Returns the response of a lag with gain 1 to this input at every row, in the SI unit of the

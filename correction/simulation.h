@@ -20,11 +20,11 @@ struct Contribution {
 /// lags start at zero in each run. If the input of a delay element is outside its domain in a row,
 /// the result is NaN from this row until the end of the run. Beyond the range of the fit, lags
 /// remain linear, and continued() extrapolates nonlinear formulas. Throws std::invalid_argument if
-/// the record lacks an input, or if the model has published coefficients for another sampling
-/// interval.
+/// the record lacks an input, or if the model has published coefficients for a sampling interval
+/// that differs from the time steps of the record.
 void simulate(const Model& model, const Series& series, std::span<double> displacement);
 
-/// Calls `sink` for each term of the displacement of simulate(), except the offset.
+/// Calls `sink` for each term of the displacement that simulate() computes, except the offset.
 void show_parts(const Model& model, const Series& series, const Sink& sink);
 
 /// Returns the contributions of all channels, effects and the kinematic law, without the offset.

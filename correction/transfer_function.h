@@ -16,10 +16,10 @@ namespace raceway::correction {
 ///
 /// Source:   [Transfer2022, eq. 1], see docs/papers.md. The paper prints um/(s K) as the unit of a,
 ///           but the numbers are in um/K. This struct stores a in m/K.
-/// Traps:    slow poles are so close to 1 that the last printed digits decide gain and stability.
-///           With a sampling time of 1 s and time constants of 5400 and 900 s, the coefficients of
-///           the denominator have a sum of only 2e-7. Therefore identify() fits first-order lags.
-///           Only arx_baseline() fits transfer functions.
+/// Traps:    slow poles are so close to 1 that the last printed digits determine gain and
+///           stability. With a sampling time of 1 s and time constants of 5400 and 900 s, the
+///           coefficients of the denominator have a sum of only 2e-7. Therefore identify() fits
+///           first-order lags. Only arx_baseline() fits transfer functions.
 struct TransferFunction {
   std::vector<double> numerator, denominator;  ///< coefficients a(i) and b(i)
   double sampling = unset;                     ///< sampling time [s]
@@ -27,9 +27,9 @@ struct TransferFunction {
 
 /// Removes the roots at exactly 1 that numerator and denominator have in common, and returns the
 /// reduced transfer function. In exact arithmetic, the common roots cancel. In floating point, the
-/// output would drift, because the response of a pole at 1 never decays. Throws
-/// std::invalid_argument if a polynomial is empty, b(0) is not 1, a coefficient is not finite, or
-/// the sampling time is not positive.
+/// output would drift if these roots were kept, because the response of a pole at 1 never decays.
+/// Throws std::invalid_argument if a polynomial is empty, b(0) is not 1, a coefficient is not
+/// finite, or the sampling time is not positive.
 [[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
 
 /// Returns the result of reduced() with a numerator in um per unit of the input. `unit` is the SI
@@ -58,9 +58,9 @@ struct TransferFunction {
 ///           longer than the denominator.
 /// Accuracy: limited by the poles, which are computed in extended precision because poles of slow
 ///           bodies differ by less than 1e-4.
-/// Traps:    the lags agree with the transfer function only if they are sampled with its sampling
-///           time dt. A lag has the time constant -dt/ln(1 - rise), and its input is constant
-///           between samples.
+/// Traps:    the lags agree with the transfer function only if they are sampled with the sampling
+///           time dt of the transfer function. A lag has the time constant -dt/ln(1 - rise), and
+///           its input is constant between samples.
 struct ParallelForm {
   struct Lag {
     /// Coefficients of x_i: rise = 1 - pole [1], and gain = final value of x_i per unit of the

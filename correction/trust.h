@@ -33,11 +33,11 @@ struct Trust {
 [[nodiscard]] Evidence evidence_on(const Model& model, const record::Record& record, double error);
 
 /// Returns the level of trust for Model::evidence; `unknown` if the model has none. The conditions
-/// are tested from top to bottom. The result is the first level of which at least one condition is
-/// met:
+/// are tested from top to bottom. The result is the first level in this table with a condition that
+/// is met:
 ///
 ///   do not use    no readings were held out
-///                 the readings change only once, in one direction
+///                 the readings only rise or only fall
 ///                 a time constant exceeds the duration of the readings
 ///                 the mean square of the error exceeds half of the mean square displacement
 ///   within range  a time constant exceeds a third of the duration of the readings
@@ -47,7 +47,7 @@ struct Trust {
 ///
 /// The error is Evidence::error, and the rms displacement is Evidence::uncorrected. If the error
 /// comes from another record (`Evidence::other_record`), the conditions on the duration and on
-/// readings that change only once are not checked.
+/// readings that only rise or only fall are not checked.
 /// Accuracy: the limits are our choice. Test: corrections were fitted to the first 1 to 12 h of the
 ///           data in data/corrections/exact, and applied to test.csv in this folder. If the level
 ///           was `good`, the rms error on test.csv was at most a fifth of the rms displacement.
@@ -55,9 +55,9 @@ struct Trust {
 
 /// Returns the level of trust in a prediction for a record. The level is `do_not_use` if the mean
 /// square of the error exceeds half of the square of `uncorrected`, the rms displacement from
-/// uncorrected_rms() [m]. Otherwise it is the result of trust_of(), but `within_range` instead of
-/// `good` if a row is outside the input range of the fit. `errors` are the errors of the
-/// prediction, after a constant is subtracted for each run.
+/// uncorrected_rms() [m]. Otherwise the level is the result of trust_of(). If this result is `good`
+/// and a row is outside the input range of the fit, the level is `within_range`. `errors` are the
+/// errors of the prediction, after a constant is subtracted for each run.
 [[nodiscard]] Trust trust_on(const Model& model, const Metrics& errors, double uncorrected,
                              const Beyond& beyond);
 

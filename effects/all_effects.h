@@ -49,10 +49,10 @@
 namespace raceway::effects {
 
 /// List of all effects. If an effect has one class for a rig and one for a shaft, the two classes
-/// are adjacent. docs/design.md describes how to add an effect. Corrections of data come first,
-/// because the physical effects use the corrected data. Effects on the lubricant are applied in the
-/// order of this list. FilmSelfHeating, which changes the film temperature, comes before the
-/// effects that multiply the viscous moment by a factor.
+/// are adjacent. docs/design.md describes how to add an effect. Effects that correct wrong data
+/// (Card::datum) come first. Effects on the lubricant are applied in the order of this list.
+/// FilmSelfHeating, which changes the film temperature, comes before the effects that multiply the
+/// viscous moment by a factor.
 using Catalogue = std::tuple<
     LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, LoadCalibration,
     LoadCellDrift, SetPreload, SupportBearings, TorqueCreep, SpeedHysteresis, PreloadCalibration,

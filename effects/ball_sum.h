@@ -35,8 +35,8 @@ struct RollingContact {
 
 /// Returns the sum of `value` over all loaded contacts of balls and races. The result is NaN
 /// without a converged equilibrium of the balls. The function `value` is called with the
-/// RollingContact of each contact. Its member `rolling_ratio` is the rolling speed ω_roll divided
-/// by the shaft speed ω:
+/// RollingContact of each contact. RollingContact::rolling_ratio is the rolling speed ω_roll
+/// divided by the shaft speed ω:
 ///
 ///   ω_roll,i = ω_R cos(αi - β) + (ω - ω_m) cos αi,   ω_roll,o = ω_R cos(αo - β) - ω_m cos αo
 ///

@@ -19,8 +19,8 @@ namespace raceway::effects {
 ///           direction. The slip speed at a distance y from the centre is therefore ω_roll (y² -
 ///           y0²)/(2 R), which is zero at y = y0. With the Hertz pressure integrated along the
 ///           rolling direction, the friction forces balance at y0 = 0.347 a. The friction power of
-///           a contact is then 0.1611 μ Q ω_roll a²/(2 R). The usual estimate of the moment is
-///           about 0.1 μ Q a²/R.
+///           a contact is then 0.1611 μ Q ω_roll a²/(2 R). For comparison: the usual estimate of
+///           the moment of a contact is about 0.1 μ Q a²/R.
 /// Domain:   converged equilibrium of the balls; otherwise M is NaN.
 /// Accuracy: the formula uses only slip along the rolling direction. If the ball also spins in the
 ///           contact, the true moment is smaller.

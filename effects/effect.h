@@ -49,8 +49,8 @@ enum class Need {
   several_bearings,     ///< a rig that measures the torque of two or more bearings
   rising_and_falling,   ///< speeds approached from below and from above
   ball_load_law,        ///< base law (such as `contact`) or effect that uses ball loads
-  /// A base law other than `skf` and `table`. The law `skf` already contains the effect, and a
-  /// friction table may contain the effect.
+  /// A base law other than `skf` and `table`. The law `skf` already contains each effect that has
+  /// this need, and a friction table may contain it.
   palmgren_law,
   opposed_sets,     ///< bearing sets at both ends of the shaft
   torque_standard,  ///< known torque to calibrate the sensor; a record never contains it
@@ -149,8 +149,8 @@ struct LubricantInputs {
   const BaseLaw& base;
 };
 
-/// Properties of the lubricant in the contacts. The values include the changes by effects on the
-/// lubricant.
+/// Properties of the lubricant in the contacts. Effects such as film-self-heating change these
+/// values.
 struct Film {
   double kinematic_viscosity = unset;  ///< [m²/s]
   double temperature = unset;          ///< [K]
@@ -165,13 +165,14 @@ struct MomentTangent {
   double temperature, moment, slope, reach;  ///< units: [K], [N m], [N m/K], [K]
 };
 
-/// Function that returns a tangent of the moment for a temperature [K]. The tangent may touch the
-/// curve at a similar temperature, which MomentTangent::temperature gives.
+/// Function that returns a tangent of the moment for a temperature [K]. The tangent may
+/// touch the curve at a slightly different temperature, MomentTangent::temperature.
 using TangentAbout = std::function<MomentTangent(double temperature)>;
 
 /// Inputs of an effect that adds a friction moment.
 struct MomentInputs {
-  /// Bearing state. Its loads and film viscosity already include the changes by other effects.
+  /// State of the bearing. The loads and the film viscosity in this state already include the
+  /// changes by effects on the bearing condition and on the lubricant.
   const friction::BearingState<double>& state;
   friction::BaseMoments<double> base;  ///< moments of the base law in this bearing state [N m]
   const Record& record;
@@ -217,7 +218,8 @@ struct Requirements {
   bool needs_equilibrium = false;  ///< true: the effect uses ball loads or contact angles
   bool uses_power = false;         ///< true: the effect uses ConditionInputs::power
   bool uses_room = false;          ///< true: the effect uses Entry::room
-  /// Further bearing data that the effect uses; names as in friction::bearing_data().
+  /// Bearing data that the effect uses, even if the base law does not use them; names as in
+  /// friction::bearing_data().
   std::span<const std::string_view> bearing_data = {};
   bool for_rig = true;      ///< true: allowed in a model of a bearing on a rig
   bool for_shaft = true;    ///< true: allowed in a model of a shaft
@@ -237,8 +239,9 @@ struct Requirements {
 
 /// Base laws that already contain an effect, and bearings in which the effect does not occur.
 struct Exclusions {
-  /// Text that names the keys with which the contact law describes the same mechanism. If the text
-  /// is empty, the contact law does not contain the effect, and the effect may be added.
+  /// Text that names the keys of a model file with which the contact law describes the mechanism of
+  /// the effect. If the text is empty, the contact law does not contain the effect, and the
+  /// effect may be added.
   std::string_view within_contacts = {};
   /// True: the contact law already contains the effect if the model has oil_fraction > 0.
   bool within_oil_fraction = false;
@@ -256,7 +259,8 @@ struct Exclusions {
 struct Nature {
   /// True if all rotating parts contribute to the effect, not only the bearings. In a coast-down,
   /// the effect is then the drag of all these parts, which is added once, not once per bearing. The
-  /// plausible upper limit of the size is for one bearing, so it does not apply to a coast-down.
+  /// plausible upper limit of the size parameter is for one bearing, so the program does not apply
+  /// this limit to a coast-down.
   bool drags_on_the_rotor = false;
   /// Exponent p that adapts the plausible range of the size parameter to the bearing. The stated
   /// range is for a pitch diameter of 60 mm. For a pitch diameter d_m, the range is multiplied by
@@ -286,8 +290,8 @@ struct Actions {
   std::string (*correction)(std::span<const double> values) = nullptr;
   /// Adds changes to the condition of the bearing, such as load, tilt, ring growth or preload.
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
-  /// Changes the film viscosity or the factor on the viscous moment. Several effects are applied in
-  /// the order of the catalogue.
+  /// Changes the film viscosity or the factor on the viscous moment. Effects with this function are
+  /// applied in the order of the catalogue.
   void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
   /// Computes the film like the function `lubricant`, but approximates the moment of the contact
   /// law by tangents (TangentAbout). Newton's method finds the film temperature, with `temperature`
@@ -318,7 +322,8 @@ struct Actions {
 };
 
 /// Description of one physical effect in the catalogue of effects. Each effect is a struct in its
-/// own file (see spin_friction.h). A Description has the same members as the struct of the effect.
+/// own file (see spin_friction.h). catalogue.cpp copies the members of this struct to a
+/// Description.
 ///
 /// Some effects have different formulas for a bearing on a rig and for the bearing sets of a shaft.
 /// They have two descriptions with the same id and separate parameters, and the kind of model

@@ -27,8 +27,8 @@ namespace raceway::effects {
 /// series. A spring of stiffness k has s = 1 and h = k/K_r. A spring of constant force has s = 1
 /// and h = 0. The preload force at mounting is the same for every c.
 ///
-/// If the entered mounting is rigid, c reduces the variation of the preload. The effect is the same
-/// as a spring in series: rear set and seat together have the stiffness (1 - c) K_r. c = 1 then
+/// If the entered mounting is rigid, c reduces the variation of the preload. The seat then acts
+/// like a spring in series: rear set and seat together have the stiffness (1 - c) K_r. c = 1 then
 /// means a constant preload force.
 ///
 /// Source:   springs in series, derived.

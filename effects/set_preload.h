@@ -30,9 +30,9 @@ namespace raceway::effects {
 /// Source:   two bearings that press against each other [Harris2006, vol. 1, ch. 9], derived. The
 ///           exponent 4/3 comes from Palmgren's load moment with the load exponent y = 1/3.
 /// Domain:   P >= 0, 0 <= u <= 2. Two equal bearings under pure axial load.
-/// Accuracy: the sum of the load moments of both bearings is exact if y = 1/3. For other friction
-///           laws, and for effects that use ball loads, the equivalent load is only an average over
-///           both bearings.
+/// Accuracy: the sum of the load moments of both bearings is exact if y = 1/3. For another y or
+///           friction law, and for effects that use ball loads, the equivalent load is only an
+///           average over both bearings.
 /// Trap:     with the changed F_a, the friction law gives the sum of the load moments of both
 ///           bearings. For a rig with two bearings, the program multiplies this sum by two. The
 ///           fitted factor z of the load moment is therefore half of the z of one bearing.

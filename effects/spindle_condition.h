@@ -37,9 +37,10 @@ struct SpindleCondition {
   /// rise [s].
   double structure_rise = 0.0, structure_time = 3600.0;
   /// Change of the preload with which the friction is calculated [1]. The model selects the preload
-  /// of the cold or of the warm bearing sets (model::Spindle::preload_feedback). With 0, the
-  /// friction is calculated with this preload, and with 1, with the preload of the other state.
-  /// Between 0 and 1, the friction is interpolated.
+  /// of the cold or of the warm bearing sets (model::Spindle::preload_feedback). At 0, the friction
+  /// is calculated with the selected preload. At 1, the friction is calculated with the preload of
+  /// the other state (warm instead of cold, or cold instead of warm). Between 0 and 1, the friction
+  /// is interpolated.
   double other_preload_feedback = 0.0;
   [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
 };

@@ -119,8 +119,8 @@ inline constexpr SpindleHeatCard<4> front_bearing_heat{
              .plausible_lower = 10.0,
              .plausible_upper = 1000.0}};
 
-/// The heat flows into the roller bearing behind the rear set. If there is no roller bearing at
-/// this place, the heat flows into the rear set.
+/// Heat source in the roller bearing behind the rear set. If the spindle has no roller bearing at
+/// this place, the heat source is in the rear set.
 inline constexpr SpindleHeatCard<4> rear_bearing_heat{
     .heat = &SpindleCondition::rear_bearing_heat,
     .id = "rear-bearing-heat",

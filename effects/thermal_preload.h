@@ -78,7 +78,7 @@ struct ThermalPreload : PreloadByOwnHeat {
 /// growth.
 struct ShaftThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::shaft;
-  // The temperatures of a spindle already include this growth.
+  // In a spindle, the computed temperatures already cause this growth.
   static constexpr bool for_spindle = false;
   static constexpr std::string_view mechanism =
       "Friction warms the inner rings and the balls more than the outer rings. Inner rings and "

@@ -79,7 +79,7 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
 /// Domain:   both ring temperatures are known.
 struct ShaftThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::shaft;
-  // The temperatures of a spindle already include this growth.
+  // In a spindle, the computed temperatures already cause this growth.
   static constexpr bool for_spindle = false;
   static constexpr std::string_view title = "rings that do not expand freely with temperature";
   static constexpr std::string_view mechanism =

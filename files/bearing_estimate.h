@@ -47,8 +47,8 @@ struct EstimatedBearing {
 [[nodiscard]] BearingOutline outline_of(std::string_view designation);
 
 /// Estimates the inner geometry of a bearing from catalogue rows with a similar section. The
-/// section of two bearings is similar if their ratios (D - d)/(D + d) differ by less than 0.025. If
-/// there are fewer than eight such rows, all rows of angular-contact bearings are used.
+/// sections of two bearings are similar if their ratios (D - d)/(D + d) differ by less than 0.025.
+/// If there are fewer than eight such rows, all rows of angular-contact bearings are used.
 ///
 ///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
 ///
@@ -60,8 +60,8 @@ struct EstimatedBearing {
 /// 0.517 and 0.54. With a conformity in this range, the calculated rigidities of bearing pairs
 /// agree with the rigidities that the maker GMN publishes.
 ///
-/// Throws InputError if d or D is missing, if D is not between 1.1 d and 5 d, or if no row has a
-/// contact angle.
+/// Throws InputError if d or D is missing, if D is not between 1.1 d and 5 d, or if no catalogue
+/// row has a contact angle.
 [[nodiscard]] EstimatedBearing estimated_bearing(const BearingOutline& outline,
                                                  const std::vector<CatalogueBearing>& rows);
 
@@ -81,9 +81,9 @@ struct NamedRow {
 [[nodiscard]] NamedRow bearing_called(std::string_view name,
                                       const std::vector<CatalogueBearing>& rows);
 
-/// Returns the text of a model file for one bearing on a rig, or for a spindle with three such
-/// bearings. Comments give the limits of the estimated values. `oil` is the ISO VG grade of the
-/// oil; if it is empty, the file describes a thin spindle oil.
+/// Returns the text of a model file for one estimated bearing on a rig or, if `of_spindle` is true,
+/// for a spindle with three of these bearings. Comments give the limits of the estimated values.
+/// `oil` is the ISO VG grade of the oil; if it is empty, the file describes a thin spindle oil.
 [[nodiscard]] std::string estimated_model_text(
     const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren,
     bool of_spindle = false, const std::string& oil = {});

@@ -22,8 +22,8 @@ struct BoundaryDimensions {
 [[nodiscard]] std::optional<BoundaryDimensions> boundary_dimensions(
     std::string_view dimension_series, std::string_view bore_code);
 
-/// Returns the code of a bore in millimetres, such as "14" for 70, or "00" to "03" for 10, 12, 15
-/// and 17. The result is empty if the bore has no code.
+/// Returns the bore code for a bore diameter [mm], such as "14" for 70, or "00" to "03" for 10, 12,
+/// 15 and 17. The result is empty if the bore has no code.
 [[nodiscard]] std::string_view bore_code_of(int bore_mm);
 
 }  // namespace raceway::files

@@ -73,7 +73,7 @@ struct CatalogueBearing {
                                                     std::string_view name);
 
 /// Returns the row with this name. Case, blanks, the manufacturer's name and a trailing "TA" (cage
-/// code) are ignored. If there is no such row, throws InputError with similar names.
+/// code) are ignored. Throws InputError if no row matches; the message lists similar names.
 [[nodiscard]] CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows,
                                             std::string_view name);
 

@@ -44,11 +44,11 @@ struct NamedChannel {
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
-/// Returns the quantity of a time record with this name, like named_channel(): for example
+/// Returns the quantity with this name in a time record, like named_channel(): for example
 /// "front_bearing_temperature_K" or "displacement_z [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
-/// Returns the quantity of a spindle record with this name, like named_channel(). In a spindle
+/// Returns the quantity with this name in a spindle record, like named_channel(). In a spindle
 /// record, temperatures of the surroundings are inputs, and all other temperatures are measured
 /// quantities.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);

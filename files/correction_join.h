@@ -25,12 +25,12 @@ struct JoinedCorrection {
 /// give a range for the same input, the new range is the intersection of these ranges.
 ///
 /// A record of the whole machine contains only the sum of the displacements that the single files
-/// predict, so a fit can seldom separate them. A fit of the joined file therefore needs priors:
-/// expected values of parameters with standard deviations. Parameters that were fitted to a record,
-/// except the offset, get a prior from their covariance. Other parameters keep the prior of their
-/// file. If a file has neither priors nor a list of free parameters, the kinematic law and the
-/// delay elements of this file get the priors of computed_priors(). A delay element is a lag whose
-/// gain and time constant depend on the input.
+/// predict, so a fit can seldom separate these displacements. A fit of the joined file therefore
+/// needs priors: expected values of parameters with standard deviations. Parameters that were
+/// fitted to a record, except the offset, get a prior from their covariance. Other parameters keep
+/// the prior of their file. If a file has neither priors nor a list of free parameters, the
+/// kinematic law and the delay elements of this file get the priors of computed_priors(). A delay
+/// element is a lag whose gain and time constant depend on the input.
 ///
 /// In the joined file, a parameter is free if it has a prior, or if it is free in its original
 /// file. Exception: if the original file has no list of free parameters, a parameter of its

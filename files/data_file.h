@@ -28,8 +28,9 @@ namespace raceway::files {
 ///
 /// Throws InputError if a required column or all measured columns are missing, if a column name
 /// looks misspelt, if the torque of a coast-down cannot be calculated, and for invalid cells. A
-/// cell is invalid if it is not a number, is outside the allowed range, or is empty (see above).
-/// The message shows the first ten invalid cells and gives the number of all invalid cells.
+/// cell is invalid if it is not a number, is outside the allowed range, or is empty in a column
+/// that needs a value in every row (see above). The message shows the first ten invalid cells and
+/// gives the number of all invalid cells.
 [[nodiscard]] record::Record read_record(const Source& source, const model::ModelSubject& subject,
                                          const ReadOptions& options = {});
 

@@ -43,7 +43,7 @@ struct Designation {
   /// Returns the size of the bearing as the designation of a deep groove ball bearing with the same
   /// boundary dimensions: "6014" for "B7014-C". The result is empty if the size is not known.
   [[nodiscard]] std::string size() const;
-  /// Returns the boundary dimensions of the size from ISO 15; empty if the size is unknown.
+  /// Returns the boundary dimensions of this bearing size in ISO 15; empty if the size is unknown.
   [[nodiscard]] std::optional<BoundaryDimensions> boundary() const;
 };
 

@@ -75,7 +75,7 @@ struct KeyTable {
   /// that the user chooses.
   std::string_view name;
   std::span<const Key> keys;
-  /// Models that can contain the table, in words such as "of a spindle" or "law skf"; "" if every
+  /// Kind of model that can contain the table, such as "of a spindle" or "law skf"; "" if every
   /// model can contain the table.
   std::string_view only{};
 };

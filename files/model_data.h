@@ -28,13 +28,13 @@ struct ModelDatum {
 /// All numbers that a model uses: numbers in the model file, defaults, and numbers of the catalogue
 /// bearing that the file names.
 ///
-/// These numbers are not included: defaults that are calculated from other numbers (such as the
-/// bore, from pitch diameter and ball diameter), numbers that no prediction uses (such as those in
-/// the tables [calibration] and [columns]), the settings in [solver], and the number of bearings in
-/// a set.
+/// These numbers are not included: defaults that are calculated from other numbers (such as a bore
+/// calculated from pitch diameter and ball diameter), numbers that no prediction uses (such as the
+/// numbers in the tables [calibration] and [columns]), the settings in [solver], and the number of
+/// bearings in a set.
 class ModelData {
  public:
-  /// Throws InputError like read_model().
+  /// Throws InputError in the same cases as read_model().
   explicit ModelData(const ModelFile& file);
 
   [[nodiscard]] const std::vector<ModelDatum>& data() const { return data_; }
@@ -55,9 +55,8 @@ class ModelData {
   std::vector<ModelDatum> data_;
 };
 
-/// Spread of a number of a model: the possible error of the number in both directions, as the user
-/// writes it. The text "0.01" is in the unit of the number; the text "10%" is a percentage of the
-/// value.
+/// Spread of a number of a model: the possible error (±) of the number, as the user writes it. The
+/// text "0.01" is in the unit of the number; the text "10%" is a percentage of the value.
 struct SpreadText {
   std::string name;  ///< name of the number, in a form that ModelData::find() accepts
   std::string text;
@@ -72,9 +71,9 @@ struct SpreadText {
 /// a key contains anything other than a number or a text, and for a file that cannot be read.
 [[nodiscard]] std::vector<SpreadText> read_spreads(const std::string& path);
 
-/// Converts a spread to the unit of the number. A spread in percent refers to `value`, the value of
-/// the number. Throws InputError if the spread is not a number, is negative, or is a percentage of
-/// 0.
+/// Converts the spread of a model number to the unit of this number. A spread in percent refers to
+/// `value`, the value of the model number. Throws InputError if the spread is not a number, is
+/// negative, or is a percentage of 0.
 [[nodiscard]] double spread_of(const SpreadText& spread, double value);
 
 }  // namespace raceway::files

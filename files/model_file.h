@@ -24,14 +24,14 @@ struct ModelFile {
   std::string text;    ///< text of the file, for with_values() and with_model()
   /// Full name of the catalogue bearing that the file names; empty if the file names none.
   std::string catalogue = {};
-  /// Keys of the file that model::ignored_by_friction() checks. The list contains all keys of
-  /// [lubricant] and [bearing] in the file that only the contact law uses. Other keys of [bearing],
-  /// [solver] and the bearings of [arrangement] are in the list if their value differs from the
-  /// default or the catalogue.
+  /// Keys of the file in which model::ignored_by_friction() searches for keys that do not affect
+  /// the friction. The list contains all keys of [lubricant] and [bearing] in the file that only
+  /// the contact law uses. Other keys of [bearing], [solver] and the bearings of [arrangement] are
+  /// in the list if their value differs from the default or the catalogue.
   std::vector<std::string> written = {};
   /// All defaults that were used, and the values that the file marks as assumed or estimated.
   std::vector<UsedDefault> defaults;
-  /// Other notes, one line each, without the name of the file.
+  /// Notes for the user, such as notes on unlikely values: one line each, without the file name.
   std::vector<record::Note> notes = {};
   ColumnMap columns = {};  ///< table [columns]: meaning of the columns of measurement files
   /// Calibration of the torque sensor, if the file contains or names one.
@@ -64,14 +64,14 @@ struct KeyValue {
 };
 
 /// Returns the text of a model file with the values in `changes`. Comments, order and blanks do not
-/// change. A missing key that has a default is added to its table. If parse_model() reads the
-/// result, it gets exactly the new values. Throws InputError if the text is not TOML, or if a key
-/// belongs to an [[effect]] that the text does not contain. Throws std::invalid_argument for a
+/// change. A missing key that has a default is added to its table. From the returned text,
+/// parse_model() reads exactly the new values. Throws InputError if the text is not TOML, or if a
+/// key belongs to an [[effect]] that the text does not contain. Throws std::invalid_argument for a
 /// value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
 
 /// Returns the text of a model file, with this effect as a new table [[effect]] at the end of the
-/// text. Nothing else changes. If parse_model() reads the result, it gets exactly this effect.
+/// text. Nothing else changes. From the returned text, parse_model() reads exactly this effect.
 /// Throws std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 

@@ -18,7 +18,7 @@ struct OilGrade {
 [[nodiscard]] OilGrade oil_grade(std::string_view words);
 
 /// Returns the text of the table [lubricant] for a new model file: viscosities of the oil, or of a
-/// thin spindle oil if `oil` is empty. Throws the same exceptions as oil_grade().
+/// thin spindle oil if `oil` is empty. Throws text::InputError for an unknown ISO VG grade.
 [[nodiscard]] std::string lubricant_lines(std::string_view oil);
 
 }  // namespace raceway::files

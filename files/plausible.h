@@ -9,13 +9,13 @@
 /// function returns one line that states the likely cause, or an empty text for a usual value.
 namespace raceway::files {
 
-/// Checks if a temperature in C is unlikely, and would be usual if the number were in K.
+/// Checks if a temperature in C is unlikely, but would be usual if the number were in K.
 [[nodiscard]] std::string looks_like_kelvin(std::string_view name, double temperature_C);
 
-/// Checks if the lengths of a bearing are probably in inches. In two cases, a conversion from
-/// inches makes an unlikely value usual. In the first case, the balls fill a far too small part of
-/// the pitch circle, so the ball diameter is probably in inches. In the second case, the static
-/// load rating is far too high for the size of the balls, so all lengths are probably in inches.
+/// Checks if lengths of a bearing are probably in inches. If the balls fill a far too small part of
+/// the pitch circle, the ball diameter is probably in inches. If the static load rating is far too
+/// high for the size of the balls, all lengths are probably in inches. The result is empty if the
+/// conversion of these lengths from inches to mm would not give a usual bearing.
 [[nodiscard]] std::string looks_like_inches(const bearing::BearingGeometry& geometry);
 
 }  // namespace raceway::files

@@ -13,8 +13,8 @@ namespace raceway::files {
 /// NN3014.
 [[nodiscard]] bool names_rollers(std::string_view designation);
 
-/// A cylindrical roller bearing of series N10 with estimated roller dimensions, because
-/// manufacturers do not publish them for this series.
+/// A cylindrical roller bearing of series N10. Its roller dimensions are estimated, because
+/// manufacturers do not publish the roller dimensions of this series.
 struct EstimatedRollers {
   std::string designation{};
   bearing::RollerGeometry geometry{};
@@ -39,7 +39,7 @@ struct EstimatedRollers {
 /// Accuracy: the load rating C calculated with these rollers agrees with the published C within
 ///           2.1 % for eight of eleven sizes. The calculated C is 5.6 % too high for N1013 and 16 %
 ///           too low for N1022 and N1024. The estimate does not use the published C.
-/// Throws InputError for another series, and for a size without known boundary dimensions.
+/// Throws InputError for a series other than N10, and for a size without known boundary dimensions.
 [[nodiscard]] EstimatedRollers estimated_rollers(std::string_view designation);
 
 /// Returns the text of a model file with comments and the defaults of the friction law. Every

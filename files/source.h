@@ -17,8 +17,8 @@ struct Source {
   std::shared_ptr<const std::string> text;
   /// Columns of measurements; null if they are read from the text or the file.
   std::shared_ptr<const text::CsvTable> table;
-  /// Files that a model names, with the contents that they had when the model was read. All other
-  /// files are read from disk.
+  /// Files that a model names, with the contents that they had when the model was read. Files that
+  /// are not in this list are read from disk.
   std::vector<NamedFile> files{};
   /// Other files of the same time record, each with its own rows and times.
   std::vector<Source> beside{};

@@ -15,7 +15,7 @@ namespace raceway::files {
 /// The times are in ascending order.
 struct LoadCase {
   std::string name = {};
-  /// Power in the first and in the last row of the case [W]. NaN means that only the speed is
+  /// Power in the first and in the last row of the load case [W]; NaN means that only the speed is
   /// known.
   double power_start = unset, power_end = unset;
   /// Speed after the step [rad/s]; NaN means that only the power is known.
@@ -28,8 +28,8 @@ struct LoadCase {
 
 /// Reads a CSV file with the columns time_s, axial_displacement_um, and power_W or speed_rpm or
 /// both. Names with other units are allowed ("time_min", "axial_displacement [mm]"). The column
-/// load_case assigns the rows to load cases. Without this column, all rows with the same power are
-/// one case. If the column of the power is also missing, all rows with the same speed are one case.
+/// load_case assigns the rows to load cases. Without this column, all rows with equal power are one
+/// load case. Without the columns load_case and power, all rows with equal speed are one load case.
 /// The rows may be in any order.
 ///
 /// Throws InputError for a missing column, a cell that is not a number in the allowed range, a time

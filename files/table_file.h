@@ -31,9 +31,9 @@ struct TableFile {
                                      std::string_view model_text,
                                      const std::function<void(double)>& progress = {});
 
-/// Reads a table written by table_text(). The rows may be in any order. Throws InputError like
-/// read_csv(), for cells that are not numbers, for points of the grid that are missing or occur
-/// twice, and if the file is only a slab of a table.
+/// Reads a table written by table_text(). The rows may be in any order. Throws InputError in the
+/// same cases as read_csv(). Also throws InputError for cells that are not numbers, for points of
+/// the grid that are missing or occur twice, and for a file that is only a slab of a table.
 [[nodiscard]] TableFile read_table(const std::string& path);
 
 /// Text of a slab and its file name.

@@ -29,8 +29,8 @@ struct UsedDefault {
     return fmt::format("{}.{} = {}{}", table, key, value,
                        why.empty() ? "" : fmt::format(" ({})", why));
   }
-  /// Returns a line such as `solver.tilt = "locked" (default)`. If there is a reason, it stands in
-  /// place of the word "default".
+  /// Returns a line such as `solver.tilt = "locked" (default)`. If `why` is not empty, the
+  /// parentheses contain `why` instead of the word "default".
   [[nodiscard]] std::string line() const {
     return short_line() + (why.empty() ? " (default)" : "");
   }

@@ -16,8 +16,8 @@ struct CostlyFit {
   SeparableFit fit{};
   /// Derivatives of the predicted means with respect to the parameters (means x parameters).
   Eigen::MatrixXd slope{};
-  /// Start of this fit: parameter values, residuals and derivatives. Null for a fit that continues
-  /// another fit.
+  /// Start of this fit: parameter values, residuals and derivatives. Null for the results of
+  /// CostlyProblem::beyond() and CostlyProblem::onwards(), which start from another fit.
   std::shared_ptr<const CostlyFit> begin{};
 };
 
@@ -27,9 +27,9 @@ struct CostlyEnd {
   /// Misfit above which the fit ends at the first step without progress (see `settled`). Below this
   /// misfit, the fit first computes new derivatives and tries one more step.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// True if the fit stops as soon as the derivatives predict a relative decrease of the misfit
-  /// below `settled`. The fit then takes this last step without a new prediction, so that the final
-  /// misfit is approximate.
+  /// True if the fit stops as soon as the derivatives predict that the next step decreases the
+  /// misfit by a share below `settled`. The fit takes this last step without a new prediction, so
+  /// the final misfit is approximate.
   bool rough = false;
 };
 
@@ -59,9 +59,9 @@ class CostlyProblem {
   ///
   /// If a fitted size lies at a bound, or if the misfit falls by less than 10 %, the fitted values
   /// of `base` may compensate for the missing effect. A second fit then starts from
-  /// CostlyFit::begin, the start of `base`. The second fit is skipped if this start is close to the
-  /// fitted values. It is also skipped if the derivatives at this start predict that the candidates
-  /// lower the misfit by less than 5 %. The result is the fit with the smaller misfit.
+  /// CostlyFit::begin, the start of `base`. The second fit is skipped if the start of `base` is
+  /// close to the fitted values of `base`, or if the derivatives at this start predict that the
+  /// candidates lower the misfit by less than 5 %. The result is the fit with the smaller misfit.
   [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
                                  const std::vector<std::size_t>& sizes, const CostlyEnd& end) const;
   /// Continues the iteration of an earlier fit of all parameters.
@@ -72,8 +72,8 @@ class CostlyProblem {
   /// Returns the derivatives of the means with respect to the scaled parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
   /// Returns the derivative of the means with respect to a scaled parameter. The function changes
-  /// the parameter by `by`, or by -`by` if a bound prevents this change. If this change gives a
-  /// smaller misfit than `*better`, `*better` receives the changed fit. `better` may be null.
+  /// the parameter by `by`, or by -`by` if a bound prevents the change by `by`. If the change gives
+  /// a smaller misfit than `*better`, `*better` receives the changed fit. `better` may be null.
   [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
                                            double by, SeparableFit* better = nullptr) const;
   /// Continues the fit from `best`. `slope` contains derivatives with respect to scaled parameters.
@@ -92,7 +92,7 @@ class CostlyProblem {
   /// parameters of the candidates come from `first`, the result of with_candidates().
   [[nodiscard]] bool gains(const CostlyFit& from, const CostlyFit& first,
                            const std::vector<std::size_t>& sizes) const;
-  /// Scaled values of all parameters, and limits of these values in the next step.
+  /// Scaled values of all parameters, and limits of the changes of these values in the next step.
   struct Range {
     Eigen::VectorXd here, lower, upper;
   };

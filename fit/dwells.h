@@ -30,7 +30,7 @@ inline constexpr record::Channel dwell_scatter{
 struct Averaged {
   record::Record record{};  ///< one row for each dwell and for each row outside a dwell
   std::size_t rows = 0;     ///< number of rows before averaging
-  std::size_t dwells = 0;   ///< number of rows that are means; a split dwell gives several rows
+  std::size_t dwells = 0;   ///< number of rows that are means; a split dwell gives several means
   std::size_t alone = 0;    ///< number of unchanged rows outside dwells
   std::size_t split = 0;    ///< number of dwells that were split because a temperature drifted
   /// Correlation time of the scatter of rows within dwells [s]; NaN if unknown or if the rows are
@@ -49,7 +49,7 @@ struct Averaged {
 ///
 /// A dwell has at least five consecutive rows of one run, with equal settings and at most two
 /// minutes between rows. Temperatures may drift. A dwell in which a temperature changes by more
-/// than 1 K is cut into pieces with a smaller change, and each piece gives one row. If the pieces
+/// than 1 K is cut into pieces with a smaller change, and each piece gives one mean. If the pieces
 /// have fewer than five rows on average, the dwell is not averaged. Rows of a ramp, in which a
 /// setting changes all the time, are not averaged.
 ///
@@ -62,11 +62,12 @@ struct Averaged {
 ///
 ///   s² [ w/m + (1 - w)/m² sum_ik φ^|i-k| ]
 ///
-/// where i and k run from 1 to m. s is the standard deviation of a reading and proportional to a
-/// power (0 to 2) of the reading. φ is the correlation of successive rows, and w the share of
-/// uncorrelated scatter in s². s, φ and w come from a restricted maximum likelihood estimate. The
-/// estimate uses the deviations of the rows from the mean of their dwell, or from a linear trend if
-/// a temperature drifts. The column dwell_scatter contains the standard deviation of each mean.
+/// where i and k run from 1 to m. s, the standard deviation of a reading, is proportional to a
+/// power of the reading with an exponent from 0 to 2. φ is the correlation of successive rows, and
+/// w the share of uncorrelated scatter in s². s, φ and w come from a restricted maximum likelihood
+/// estimate. The estimate uses the deviations of the rows from the mean of their dwell, or from a
+/// linear trend if a temperature drifts. The column dwell_scatter contains the standard deviation
+/// of each mean.
 [[nodiscard]] Averaged average_dwells(const record::Record& record);
 
 }  // namespace raceway::fit

@@ -8,8 +8,8 @@
 
 namespace raceway::fit {
 
-/// Returns the divisions into blocks for hold-out tests, as Judged::blockings() does, but with one
-/// entry of Blocking::block for each observation instead of each row.
+/// Returns the result of Judged::blockings(), the divisions into blocks for hold-out tests, but
+/// with one entry of Blocking::block for each observation instead of each row.
 [[nodiscard]] std::vector<Blocking> blocks_of_observations(const Judged& subject,
                                                            const Record& record,
                                                            const Observations& observed);
@@ -17,7 +17,7 @@ namespace raceway::fit {
 /// Returns the held-out error of each observation [SI], reading minus prediction. The prediction
 /// comes from a refit to all blocks except the block of the observation. The refit uses the
 /// predictions linearised at `fit`, so it is exact if the predictions are linear in the parameters.
-/// It weights each residual by 1/`std`, and it does not change parameters that are at a bound in
+/// The refit weights each residual by 1/`std` and does not change parameters that are at a bound in
 /// `fit`. If the other blocks have too few readings to determine the refitted parameters, the error
 /// is the residual of `fit`.
 [[nodiscard]] Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit,
@@ -28,8 +28,9 @@ namespace raceway::fit {
 struct HoldOut {
   std::string variable;  ///< quantity that divides the rows into blocks (Blocking::variable)
   std::vector<double> rmse_before{}, rmse_after{};  ///< held-out RMS error of each channel [SI]
-  /// Mean decrease of the squared error, divided by the noise variance [1]. `lower` and `upper` are
-  /// the limits of the 95 % confidence interval, from a bootstrap of the blocks.
+  /// Mean decrease of the squared error due to the change of the model, divided by the noise
+  /// variance [1]. `lower` and `upper` are the limits of its 95 % confidence interval, from a
+  /// bootstrap of the blocks.
   double improvement = unset, lower = unset, upper = unset;
   [[nodiscard]] bool better() const { return improvement > 0.0; }
   [[nodiscard]] bool worse() const { return upper < 0.0; }

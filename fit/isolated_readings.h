@@ -12,10 +12,10 @@ namespace raceway::fit {
 
 /// Criteria for isolated readings.
 struct Isolation {
-  /// True: limit 1 of without_isolated_readings() is also used.
+  /// True: without_isolated_readings() uses limit 1 and limit 2; false: only limit 2.
   bool steady = true;
-  /// Limit 2 of without_isolated_readings(), divided by the range of the readings [1]. Even a
-  /// change of speed cannot cause a larger distance of a reading from both neighbours.
+  /// Limit 2 of without_isolated_readings(), divided by the range of the readings [1]. A larger
+  /// distance of a reading from both neighbours cannot be due to a change of speed.
   double impossible = 3.0;
 };
 
@@ -23,7 +23,7 @@ struct Isolation {
 struct Isolated {
   record::Record record{};          ///< record in which isolated readings are NaN
   std::vector<std::size_t> rows{};  ///< rows of isolated readings, in ascending order
-  /// Channel of these readings; null if no reading was removed.
+  /// Channel of the isolated readings; null if no reading was removed.
   const record::Channel* channel = nullptr;
   bool impossible = false;  ///< true if limit 2 alone led to the removal of a reading
   Isolation by{};           ///< criteria that were used
@@ -38,8 +38,8 @@ struct Isolated {
 /// Removes isolated readings of the first measured channel: one or two successive readings that
 /// jump and return, for example because a chip touches the probe. Both neighbours are lower than
 /// such a reading, or both are higher, and the distance of the reading from each neighbour is more
-/// than three times the distance between the neighbours. The distance must also exceed one of two
-/// limits:
+/// than three times the distance between the neighbours. A reading is removed only if its distance
+/// from each neighbour also exceeds one of two limits:
 ///
 ///   - Limit 1 is 6 robust standard deviations, if speed and loads are steady. The robust standard
 ///     deviation is 1.4826 times the median distance of readings from the median of their four
@@ -56,10 +56,10 @@ struct Isolated {
 /// Removes isolated readings of the channel `channel`. If `predicted` gives a prediction for each
 /// row [SI], the function tests the residuals instead of the readings. The rules then differ from
 /// the rules for readings:
-///   - Limit 1 is used even if speed and loads are not steady. A reading is kept if a speed or load
-///     jumps and returns together with the reading.
+///   - Limit 1 of without_isolated_readings() is used even if speed and loads are not steady. A
+///     reading is kept if a speed or load jumps and returns together with the reading.
 ///   - An isolated group can have up to three successive readings.
-///   - A jump at the end of a record is removed even if no return follows.
+///   - Up to three readings at the end of a record are removed if they jump, even without a return.
 [[nodiscard]] Isolated without_isolated_readings(const record::Record& record,
                                                  const record::Channel& channel,
                                                  const Isolation& by = {},
@@ -76,8 +76,8 @@ struct PossibleRows {
 /// channel.
 ///
 /// A reading is extreme if it lies outside the range of the readings by more than three times this
-/// range, although the inputs of its row are within the range of the other rows. This range
-/// excludes the smallest and the largest 1 % of the readings, at least two readings at each end.
+/// range, although the inputs of its row are within the range of the other rows. The range of the
+/// readings excludes the smallest and the largest 1 % of them, at least two readings at each end.
 ///
 /// A criterion removes no rows if more than a tenth of the rows meet this criterion. Records with
 /// fewer than 15 rows are not changed.

@@ -59,7 +59,7 @@ struct Formula {
     std::string exponent;        ///< name of the exponent: "a"
     std::vector<double> values;  ///< value in each row, in the unit at the end of `word`
   };
-  std::string key;   ///< name of the key of a model file that contains the formula
+  std::string key;   ///< name of the key that contains the formula in a model file
   std::string unit;  ///< unit of the coefficient of the power law
   /// Factor from the value of the power law in `unit` to the change of the reading [SI]. On a rig
   /// with two bearings, 1 N mm for each bearing changes the reading by 0.002 N m.
@@ -84,7 +84,7 @@ struct Axis {
 /// of the model corrects this fault.
 struct Fault {
   std::string id;  ///< id in Subject::catalogue()
-  /// True if the record proves the fault. If false, the fault is reported only if it explains the
+  /// True if the record proves the fault. A fault without proof is reported only if it explains the
   /// residuals.
   bool certain = true;
   std::string datum;       ///< text that names the source of the fault: "the sensor of ..."
@@ -102,8 +102,8 @@ struct Blocking {
   /// Names of the inputs that change within one block only. The rows of this block are never held
   /// out.
   std::vector<std::string> untold{};
-  /// True: the blocks are ordered by an input. The first and the last block then contain the
-  /// extreme values of this input.
+  /// True: the blocks are ordered by an input, so the first and the last block contain the extreme
+  /// values of this input.
   bool ordered = false;
 };
 
@@ -141,8 +141,8 @@ class Judged {
   /// formulas. Default: empty.
   [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
   /// Returns the divisions of the rows into blocks for hold-out tests. Default: one division for
-  /// each input that varies. The blocks are the levels of the input, or up to eight ranges. If
-  /// there are fewer than three such divisions, the division into runs is added.
+  /// each input that varies. The blocks are the levels of the input, or up to eight ranges of the
+  /// input. If fewer than three inputs vary, the division into runs is added.
   [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
 
   // Next measurements.

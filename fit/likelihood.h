@@ -42,8 +42,8 @@ struct Likelihood {
 [[nodiscard]] double widening(double misfit, int degrees_of_freedom);
 
 /// Returns the likelihood of independent readings with equal weights, for the most likely variance
-/// s² of the noise: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. s is `rmse` [SI]. The number of
-/// parameters k does not count s².
+/// s² of the noise: -2 ln L = N (1 + ln(2 π s²)), s² = Σe²/N. s is `rmse` [SI]. s² is not counted
+/// in the number of parameters k.
 [[nodiscard]] Likelihood likelihood_of_alike(double rmse, int readings, int parameters);
 
 }  // namespace raceway::fit

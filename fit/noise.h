@@ -54,10 +54,10 @@ struct Repeatability {
   [[nodiscard]] bool known() const { return degrees_of_freedom > 0; }
 };
 
-/// Finds the stops of a record and the scatter of the readings within a stop. A stop is a group of
-/// readings of one run that follow each other quickly: the breaks between groups are much longer
-/// than the time steps within a group. A straight line is subtracted from groups of 4 or more
-/// readings, because the readings may drift during the stop. The result is empty in these cases:
+/// Finds the stops of a record and the scatter of the readings within stops. A stop is a group of
+/// readings of one run that follow each other quickly, with much longer breaks between groups than
+/// within a group. A straight line is subtracted from groups of 4 or more readings, because the
+/// readings may drift during the stop. The result is empty in these cases:
 ///   - A group has more than 30 readings.
 ///   - Fewer than two groups have two or more readings.
 ///   - The groups with two or more readings contain less than half of all readings.
@@ -65,19 +65,19 @@ struct Repeatability {
 [[nodiscard]] Repeatability repeatability(const record::Record& record,
                                           const record::Channel& measured);
 
-/// Returns the standard deviation of single readings [SI], from repeatability() if this function
-/// finds stops. Otherwise, the standard deviation comes from the distance of each reading from the
-/// line between its neighbours in time. The result is then NaN if fewer than 30 readings have both
-/// neighbours in their run. The result is also NaN if the median time step exceeds 120 s, because
-/// noise cannot be separated from motion of the machine at such steps.
+/// Returns the standard deviation of single readings [SI], from repeatability() if repeatability()
+/// finds stops. Without stops, the standard deviation comes from the distance of each reading from
+/// the line between its neighbours in time, and is NaN in two cases: if fewer than 30 readings have
+/// both neighbours in their run, or if the median time step exceeds 120 s. At longer time steps,
+/// noise cannot be separated from motion of the machine.
 [[nodiscard]] double noise_of_neighbours(const record::Record& record,
                                          const record::Channel& measured);
 
 /// Returns an upper bound for the standard deviation of readings that are far apart in time [SI].
 /// The bound comes from the distances of readings from the line between their neighbours in time.
 /// The bound uses the lower quartile of these distances. If the machine was at rest for at least a
-/// quarter of the time, its motion does not increase this quartile. The bound is NaN if fewer than
-/// 10 readings have both neighbours in their run.
+/// quarter of the time, motion at other times does not increase this quartile. The bound is NaN if
+/// fewer than 10 readings have both neighbours in their run.
 [[nodiscard]] double noise_of_calm_readings(const record::Record& record,
                                             const record::Channel& measured);
 

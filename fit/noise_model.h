@@ -17,10 +17,10 @@ namespace raceway::fit {
 /// s_i is the standard deviation of reading y_i, and n_i the value of the swept input. The swept
 /// input is the first setting that varies by more than a factor of 1.5, usually the speed. For
 /// single rows, a_i is 1. For means over dwells, a_i comes from the scatter within the dwell. b_i
-/// is the change of reading i if every input that scatters changes by its step (record::step_of());
-/// the changes by several inputs are added as squares. The a_i are scaled so that their RMS is 1.
-/// The b_i are scaled in the same way. The scatter within dwells and the scatter of inputs are not
-/// correlated between readings. The class Whitening describes the correlation of the noise.
+/// is the change of reading i if an input that scatters changes by its step (record::step_of()).
+/// For several inputs, b_i is the root of the sum of the squared changes. The a_i are scaled so
+/// that their RMS is 1, and so are the b_i. The scatter within dwells and the scatter of inputs are
+/// not correlated between readings. The class Whitening describes the correlation of the noise.
 /// Declared standard deviations, if there are any, give the relative sizes of all s_i. The noise is
 /// estimated from the residuals of a saturated regression (Saturation). The misfit of a physical
 /// model is never used, because a missing effect would then appear as noise.
@@ -49,8 +49,9 @@ struct NoiseModel {
   double state_share = 0.0;
   double degrees_of_freedom = unset;  ///< degrees of freedom of the estimated variance
   Whitening whitening{};
-  /// Whitenings with other noise parameters that agree with the readings nearly as well. The
-  /// verdict of a diagnosis must be the same for each of these whitenings.
+  /// Whitenings with other noise parameters that agree with the readings nearly as well. A
+  /// diagnosis repeats its tests with these whitenings, so that a verdict does not depend on the
+  /// choice.
   std::vector<Whitening> allowed{};
   /// True if the data cannot show offsets of runs, for example because a setting changes whenever
   /// the run changes. `run_share` is then at least 0.5 (1 - `state_share`).
@@ -61,13 +62,14 @@ struct NoiseModel {
   bool as_declared = false;  ///< true: the declared standard deviations agree with the estimate
   /// Indices of the outliers. The fit uses outliers with a reduced weight.
   std::vector<std::size_t> outliers{};
-  /// One factor for each joined record: the factor multiplies the standard deviations of its
-  /// readings [1]. Empty if all records have the same scatter.
+  /// One factor for each joined record, which multiplies the standard deviations of the readings of
+  /// this record [1]. Empty if all records have the same scatter.
   std::vector<double> records{};
   double rms = unset;          ///< RMS of the standard deviations s_i [SI]
   double median_step = unset;  ///< median time between readings; `correlation` refers to it [s]
-  /// F statistic and p-value of a two-sided test that compares the scatter of readings at equal
-  /// inputs with this noise [1]. NaN if this scatter has fewer than 8 degrees of freedom.
+  /// F statistic and p-value of a two-sided test that compares the variance of readings at equal
+  /// inputs with the noise variance [1]. NaN if the scatter at equal inputs has fewer than 8
+  /// degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 
   /// Multiplies all standard deviations by a factor.
@@ -124,17 +126,18 @@ struct ChannelReadings {
 /// full rank with the terms of the saturated regression at the readings [SI]. `size` is a typical
 /// size of each reading [SI, > 0].
 ///
-/// An outlier is a reading whose residual is as improbable as a normal variable beyond 3.5 standard
-/// deviations, or less probable. The weight of an outlier decreases with the size of its residual.
-/// Outliers do not add degrees of freedom. If such readings gather at one level of a setting, they
-/// are not treated as outliers, because the scatter is then larger at this level.
+/// An outlier is a reading whose residual is at most as probable as a normal variable beyond 3.5
+/// standard deviations. The weight of an outlier decreases with the size of its residual. Outliers
+/// do not add degrees of freedom. If such improbable readings gather at one level of a setting,
+/// they are not treated as outliers, because this level probably has a larger scatter.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
-/// Returns the whitening of `readings`. `noise` was estimated from other readings of the same
-/// channel. `size` is a typical size of each reading [SI].
+/// Returns the whitening of `readings` for the noise model `noise`, estimated from other readings
+/// of the same channel. NoiseModel::input is not used. `size` is a typical size of each reading
+/// [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 

@@ -16,18 +16,18 @@ struct Cancelled : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Candidate (a possible missing effect) and its influence on the readings. The size of a candidate
-/// is the parameter that scales the effect. At the neutral value of the size, the candidate does
-/// not change the readings.
+/// Candidate (an effect that may be missing or a datum that may be wrong) and its influence on the
+/// readings. The size of a candidate is the parameter that scales its influence. At the neutral
+/// value of the size, the candidate does not change the readings.
 struct Screened {
   Candidate candidate{};
-  bool one_sided = false;  ///< true if the size cannot be both above and below its neutral value
+  bool one_sided = false;  ///< true if the size can lie on only one side of its neutral value
   double unit_size = 1.0;  ///< typical difference of the size from its neutral value, with sign
   /// Change of the readings if the size differs from its neutral value by `unit_size`, linearised
   /// at the neutral value [SI, not whitened]. The matrix has one column for each tested set of
   /// values of the other parameters of the candidate. Columns in which no reading changes are left
-  /// out. If a small size changes no reading, the only column is the change for the largest size
-  /// seen in practice, scaled to `unit_size`.
+  /// out. If no small size changes a reading, the matrix has one column: the change for the
+  /// largest size seen in practice, divided by this size and multiplied by `unit_size`.
   Eigen::MatrixXd scores{};
   /// Change of the readings for the largest size seen in practice [SI]: a matrix with one column.
   /// The matrix has no column if Saturation::proportional is true or if the candidate cannot be
@@ -63,8 +63,8 @@ struct Problem {
 /// switched on. The free parameters of the model come first, then the parameters of each candidate.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on);
 
-/// Returns the predicted readings for another record as a function of these parameters. `observed`
-/// are the observations of this record.
+/// Returns the predicted readings for the record `record` as a function of the parameters of the
+/// overload above. `observed` are the observations of `record`.
 [[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on,
                                      const std::shared_ptr<const Record>& record,
                                      const Observations& observed);

@@ -15,8 +15,8 @@ constexpr double profile_rise = normal_95 * normal_95;
 /// Result of profile_interval().
 struct ProfileInterval {
   double lower = unset, upper = unset;
-  /// True if the interval is open at this end. The end is then the bound of the parameter, or
-  /// infinite if the parameter has no bound.
+  /// True if χ² rises too little to limit the interval at its lower or upper end. The open end is
+  /// the bound of the parameter, or infinite if the parameter has no bound.
   bool open_lower = false, open_upper = false;
   int refits = 0;  ///< number of fits that the calculation needed
 };
@@ -32,10 +32,10 @@ struct ProfileInterval {
 /// model is linear in its parameters, the interval is fitted value +- 1.96 factor std, where std is
 /// the standard error.
 ///
-/// If χ² rises by less than 3.84 factor² up to a bound, this end of the interval is open and lies
-/// at the bound. Without a bound, an open end is infinite. An end is NaN if the fits near this end
-/// do not converge. Each end is accurate to 1e-4 of its distance from the fitted value. Each end
-/// needs about one additional fit for a linear model, and about five fits for other models.
+/// If χ² rises by less than 3.84 factor² up to a bound, the interval is open and ends at the bound.
+/// Without a bound, an open end is infinite. An end is NaN if the fits near this end do not
+/// converge. Each end is accurate to 1e-4 of its distance from the fitted value. Each end needs
+/// about one additional fit for a linear model, and about five fits for other models.
 [[nodiscard]] ProfileInterval profile_interval(const Response& response, const ResponseFit& fit,
                                                const Whitening& whitening,
                                                const Eigen::VectorXd& measured,

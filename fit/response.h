@@ -19,7 +19,7 @@ namespace raceway::fit {
 /// Many models are affine: linear in their parameters, plus a constant. find_affine_form() compares
 /// an affine function with the predictions at several parameter values within the bounds. If
 /// function and predictions agree within rounding errors, `affine` stores the function `constant +
-/// slope x`. A fit then needs no iteration.
+/// slope x`, and a fit needs no iteration.
 struct Response {
   /// Parameters in the order of the argument of `readings`. Parameter::start is the start value of
   /// a fit.

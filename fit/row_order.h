@@ -17,15 +17,15 @@ namespace raceway::fit {
 /// different in every run.
 [[nodiscard]] std::string nested_settings(const Record& record, bool each_in_one_run = false);
 
-/// Returns the row indices in the standard order of a diagnosis. The order of the rows in the
-/// record then has no influence on the diagnosis. If all rows have a time, the rows are sorted by
-/// time, then by settings and readings. If runs overlap in time, the rows are sorted by run first.
-/// Rows without time are sorted by run, then by settings and readings. Rows of different joined
-/// records are not mixed.
+/// Returns the row indices in the standard order of a diagnosis. With this order, a diagnosis does
+/// not depend on the order of the rows in the record. If all rows have a time, the rows are sorted
+/// by time, then by settings and readings. If runs overlap in time, the rows are sorted by run
+/// first. Rows without time are sorted by run, then by settings and readings. Rows of different
+/// joined records are not mixed.
 ///
-/// Exception: a record without time and runs keeps its order if it consists of blocks of rows that
-/// look like runs (RowOrder::own_levels). Within such a block, the first setting only rises or only
-/// falls and a load is constant; this load differs between the blocks.
+/// Exception: a record without times and without runs keeps its order if it consists of blocks of
+/// rows that look like runs (RowOrder::own_levels). Within such a block, the first setting only
+/// rises or only falls, and a load is constant. The load differs between the blocks.
 [[nodiscard]] std::vector<std::size_t> order_of_rows(const Record& record);
 
 /// Returns the time steps between these rows, the starts of runs and dwells, and the starts of

@@ -32,8 +32,8 @@ struct Means {
 ///   sqrt(e² + n²)
 ///
 /// e is the declared error of the model (Measured::model_error). n is the standard deviation of a
-/// reading; n is 0 if this value is unknown. Without a given tolerance, the result is NaN for any
-/// other model, and for a model without a declared error e.
+/// reading; n is 0 if the standard deviation is unknown. Without a given tolerance, the result is
+/// NaN if the model is neither a spindle model nor a correction, or if it declares no error e.
 [[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Returns the means of readings over time intervals of `width` [s]. All rows of a mean belong to
@@ -56,17 +56,17 @@ struct SeparableFit {
 /// Fits the named parameters: minimises the sum of the squared weighted residuals of means. The
 /// predictions are linear in some of the parameters (Parameter::proportional). Each step solves for
 /// these linear parameters by linear least squares (variable projection [GolubPereyra1973]). The
-/// other parameters are called bending parameters here, and the predictions are nonlinear in them.
-/// The bending parameters are found by the method of Levenberg and Marquardt. A bending parameter
-/// whose bounds span more than a decade has a logarithmic scale.
+/// method of Levenberg and Marquardt finds the nonlinear parameters, which are all other
+/// parameters. A nonlinear parameter whose bounds span more than a decade has a logarithmic scale.
 ///
 /// The linear fit is a ridge regression: 1e-6 is added to the diagonal of the normal equations,
-/// with columns scaled to length 1. Otherwise, the gains of two lags with nearly equal time
+/// with columns scaled to length 1. Without this term, the gains of two lags with nearly equal time
 /// constants could become very large with opposite signs.
 ///
 /// A prior (value ± std) of a parameter v adds w (v - value)²/std² to the minimised sum. w is the
 /// variance of the weighted residuals, corrected for the correlation of the residuals. The fitted v
-/// is therefore near the prior, unless the means determine v better than the prior.
+/// is therefore near the prior value, unless the means of readings determine v better than the
+/// prior does.
 ///
 /// Several threads must not use one object at the same time, because the object stores predictions.
 class Separable {
@@ -79,24 +79,25 @@ class Separable {
             const std::vector<std::string>& names, double prior_weight = 0.0);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
-  /// Returns the indices of the bending parameters in parameters().
+  /// Returns the indices of the nonlinear parameters in parameters().
   [[nodiscard]] const std::vector<std::size_t>& bending() const { return bending_; }
 
-  /// Fits the linear parameters, with the bending parameters fixed at `values`. The fit does not
+  /// Fits the linear parameters, with the nonlinear parameters fixed at `values`. The fit does not
   /// use the means of the block with the index `left_out`; if `left_out` is -1, the fit uses all
   /// means.
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values, int left_out = -1,
                                 double ridge = usual_ridge) const;
-  /// Fits all parameters, starting from `start`. A bending parameter whose entry in `held` is true
-  /// keeps its start value. `left_out` has the same meaning as in at().
+  /// Fits all parameters, starting from `start`. `held` is empty or has one entry for each
+  /// parameter. A nonlinear parameter stays at its start value if its entry is true. `left_out` has
+  /// the same meaning as in at().
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;
-  /// Tries several values of the bending parameter with the index `place`, for example the time of
-  /// a jump. This parameter changes the predictions only if the linear parameter with the index
+  /// Tries several values of the nonlinear parameter with the index `place`, for example the time
+  /// of a jump. This parameter changes the predictions only if the linear parameter with the index
   /// `size`, for example the size of the jump, is not zero. Returns, for each value in `tried`, the
   /// decrease of the misfit when all linear parameters are fitted, compared with a fit in which the
-  /// parameter `size` is zero. All other bending parameters keep the values in `values`.
+  /// parameter `size` is zero. All other nonlinear parameters keep the values in `values`.
   [[nodiscard]] std::vector<double> falls(Eigen::VectorXd values, std::size_t size,
                                           std::size_t place,
                                           const std::vector<double>& tried) const;
@@ -118,8 +119,8 @@ class Separable {
     Eigen::MatrixXd weighted, normal;  // weighted columns of length 1, and their products
     Eigen::VectorXd length;
   };
-  /// A prior, which the fit treats as a reading. Its prediction is the value of the parameter times
-  /// sqrt(w)/std.
+  /// A prior, which the fit treats as a reading. The prediction of this reading is the value of the
+  /// parameter times sqrt(w)/std.
   struct PriorReading {
     Eigen::Index parameter = 0;
     double per_unit = unset;  ///< sqrt(w)/std
@@ -144,7 +145,7 @@ class Separable {
   std::unique_ptr<Predictor> predictor_;
   std::vector<PriorReading> priors_;
   Eigen::VectorXd measured_, weight_;
-  // For each linear parameter: bending parameters that affect its column of Basis::columns. The
+  // For each linear parameter: nonlinear parameters that affect its column of Basis::columns. The
   // last entry is for Basis::constant.
   std::vector<std::vector<std::size_t>> bent_by_;
   mutable std::vector<double> all_;  // output of Predictor::readings()

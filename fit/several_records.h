@@ -28,8 +28,8 @@ class SeveralRecords : public Subject {
   [[nodiscard]] const std::vector<std::string>& records() const { return records_; }
   /// Returns the names of the own parameters.
   [[nodiscard]] const std::vector<std::string>& own() const { return own_; }
-  /// Returns the model with the common parameters. Its own parameters have the values of the model
-  /// given to the constructor, not the values of a record.
+  /// Returns the model with the values of the common parameters. Parameters with a separate value
+  /// in each record have the value of the model given to the constructor.
   [[nodiscard]] const Subject& shared() const { return *model_; }
   /// Returns the model of one record, in which own parameters have the values of this record.
   [[nodiscard]] std::unique_ptr<Subject> model_of(std::size_t record) const;
@@ -37,9 +37,9 @@ class SeveralRecords : public Subject {
   /// common parameters are unchanged. The name is empty for an own parameter of another record.
   [[nodiscard]] std::string name_in(std::size_t record, const std::string& name) const;
 
-  /// Returns a model in which additional data are own parameters: the data that may differ between
-  /// records (Candidate::of_each_record), such as the oil. Returns null if there are no own
-  /// parameters, or if the record cannot determine any of these data.
+  /// Returns a model with more own parameters: the data that may differ between records
+  /// (Candidate::of_each_record), such as the viscosity of the oil. Returns null if there are no
+  /// own parameters yet, or if the record cannot determine any of these data.
   [[nodiscard]] std::unique_ptr<SeveralRecords> with_data_of_each_record(
       const Record& record) const;
 

@@ -13,8 +13,8 @@ namespace raceway::fit {
 [[nodiscard]] Eigen::MatrixXd surface_columns(const Surface& surface, const Observations& observed,
                                               const Eigen::VectorXd& size);
 
-/// Returns regression columns for steps, which a smooth surface cannot describe. A level is one of
-/// the different values of a channel. Each channel with 3 to 12 levels has one column for each
+/// Returns regression columns for steps, which a smooth surface cannot describe. A level is a group
+/// of nearly equal values of a channel. Each channel with 3 to 12 levels has one column for each
 /// level. The entries of the column are `size`, the typical size of each reading, at the
 /// observations of this level, and 0 at all other observations.
 [[nodiscard]] Eigen::MatrixXd level_columns(const std::vector<const Channel*>& channels,

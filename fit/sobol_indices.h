@@ -27,7 +27,7 @@ class SobolDesign {
 
   [[nodiscard]] std::size_t inputs() const { return inputs_; }
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  /// Returns the number of points. The function is evaluated at each point. All points of the first
+  /// Returns the number of points at which the function is evaluated. All points of the first
   /// sample come first, then all points of the second sample, and so on. The order within a sample
   /// is A, B, AB_1, AB_2 and so on.
   [[nodiscard]] std::size_t evaluations() const { return samples_ * (inputs_ + 2); }
@@ -40,11 +40,11 @@ class SobolDesign {
   std::vector<std::uint32_t> points_;  // sample by sample, A before B
 };
 
-/// Shares of the variance of a function that one input causes [1]. `first_error` and `total_error`
-/// are the half widths of the 95 % confidence intervals.
+/// Sobol' indices of one input: its shares in the variance of a function [1]. `first_error` and
+/// `total_error` are the half widths of the 95 % confidence intervals.
 struct SobolIndex {
-  double first = unset, first_error = unset;  ///< share of this input alone
-  /// Share of this input and of all its interactions with other inputs.
+  double first = unset, first_error = unset;  ///< share that this input alone causes
+  /// Share that this input causes alone and by all its interactions with other inputs.
   double total = unset, total_error = unset;
 };
 
@@ -53,7 +53,7 @@ struct SobolIndices {
   /// Number of samples for which the function is finite at all points. Other samples are not used.
   std::size_t complete = 0;
   double mean = unset, std = unset;  ///< mean and standard deviation of the function over A and B
-  /// One entry for each input; NaN if the function is constant or has no finite values.
+  /// One entry for each input; NaN if the function is constant or `complete` is below 2.
   std::vector<SobolIndex> inputs;
 };
 
@@ -68,8 +68,8 @@ struct SobolIndices {
 /// variance of the function over A and B.
 ///
 /// The errors of the indices are 1.96 times their standard deviation over 200 bootstrap resamplings
-/// of the samples. The bootstrap assumes independent samples, but Sobol' points are distributed
-/// more evenly. The errors are therefore slightly too large.
+/// of the samples. The bootstrap assumes independent samples, but Sobol' points fill the cube more
+/// evenly than independent points. The errors are therefore slightly too large.
 ///
 /// Source:   S_i [Saltelli2010, table 2 (b)]; ST_i [Jansen1999], [Saltelli2010, table 2 (f)];
 ///           bootstrap of indices [Archer1997].

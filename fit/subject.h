@@ -28,8 +28,8 @@ struct Measured {
   /// readings [1]. Above this size, the scatter can grow with the reading. Use 1 for a sensor whose
   /// scatter hardly depends on the reading.
   double floor = 1.0;
-  /// Largest relative standard deviation that a sensor can have at equal settings [1]. A larger
-  /// scatter shows that an input was not recorded. NaN if unknown.
+  /// Largest relative standard deviation that the readings of a sensor can have at equal settings
+  /// [1]. A larger scatter shows that an input was not recorded. NaN if unknown.
   double most_scatter = unset;
   /// Declared error of the model itself [SI]. This error is added to the noise as an independent
   /// scatter. For a spindle model or a correction (Subject::approximates()), the error is part of
@@ -87,7 +87,7 @@ struct Candidate {
   bool of_each_record = false;  ///< true: a datum that may differ between joined records
   bool of_time = false;         ///< true: the candidate depends on time, such as a drift
   /// Allowed values of each parameter, in ascending order. An empty entry allows all values within
-  /// the bounds of its parameter. If the list is empty, this applies to all parameters.
+  /// the bounds of its parameter. An empty list allows all values of all parameters.
   ///
   /// If the model is a correction, a parameter with allowed values is the position of a change,
   /// such as the time of a jump. The preceding parameter is linear and gives the size of this
@@ -98,7 +98,7 @@ struct Candidate {
   /// zero. The candidate does not apply to other records.
   bool of_reading = false;
   /// True if the id contains the name of an input column, because the candidate depends on this
-  /// input. The same candidate for another column is then a rival explanation.
+  /// input. The candidate of the same kind for another input column is then a rival explanation.
   bool by_column = false;
   /// Name of the datum that would be wrong, such as "the oil card" for the viscosities of the oil;
   /// empty if the candidate is a missing effect.
@@ -122,8 +122,8 @@ struct Shape {
   /// Text that describes the formula: its sign, its powers, and the inputs at which its
   /// contribution to the reading is largest.
   std::string statement;
-  /// Share of the misfit that the formula explains [1]. The misfit is here the mean square residual
-  /// minus the noise variance.
+  /// Share of the misfit that the formula explains [1]. In this share, the misfit is the mean
+  /// square residual minus the noise variance.
   double explained_share = unset;
   double gain = unset;  ///< decrease of -2 ln L when the formula is added to the model
 };
@@ -161,7 +161,7 @@ class Subject : public Judged {
   [[nodiscard]] virtual bool approximates() const { return false; }
   /// Returns true if a prediction takes so long that a fit can make dozens of predictions, but not
   /// thousands. The fit then uses one start, few derivatives, and linearised held-out errors.
-  /// approximates() must then also return true.
+  /// If is_costly() returns true, approximates() must also return true.
   [[nodiscard]] virtual bool is_costly() const { return false; }
   /// Computes intermediate results once for all predictors of this record; may return null.
   [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
@@ -219,8 +219,8 @@ class Subject : public Judged {
 };
 
 /// Returns the parameters with these names, in the same order. Throws std::invalid_argument for an
-/// unknown name (the message gives the most similar names) and for a repeated name. The function
-/// also throws this error if two names change the same value: for example, if one name is the
+/// unknown name (the message gives the most similar names) and for a repeated name. Also throws
+/// std::invalid_argument if two names change the same value: for example, if one name is the
 /// parameter of all bearings, and another name is the same parameter of a single bearing.
 [[nodiscard]] std::vector<Parameter> find_parameters(const Subject& subject,
                                                      const std::vector<std::string>& names);

@@ -6,11 +6,11 @@
 namespace raceway::fit {
 
 /// Returns an orthonormal basis for the columns of the matrices `blocks`. The columns of the first
-/// matrix are added first, then the columns of the second, and so on. Within a matrix, the function
-/// next adds the column with the largest component orthogonal to the basis. A column is left out if
-/// the ratio of the length of this component to the length of the column is not above the tolerance
-/// of the matrix. `tolerance` contains one number for each matrix. `most` is the largest number of
-/// columns of the basis.
+/// matrix are added first, then the columns of the second, and so on. The columns are scaled to
+/// length 1. Within a matrix, the function next adds the column with the longest component
+/// orthogonal to the basis. Columns whose orthogonal component is not longer than the tolerance of
+/// the matrix are left out. `tolerance` contains one number for each matrix. `most` is the largest
+/// number of columns of the basis.
 [[nodiscard]] Eigen::MatrixXd independent_columns(const std::vector<Eigen::MatrixXd>& blocks,
                                                   const std::vector<double>& tolerance,
                                                   Eigen::Index most);

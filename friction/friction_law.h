@@ -71,8 +71,8 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 ///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
-/// True if this parameter of a friction law stands in the table [lubricant] of a model file, not in
-/// [friction]. The only such parameter is `limiting_traction`.
+/// True if the key of the parameter `number` of a friction law is in the table [lubricant] of a
+/// model file, not in [friction]. This is true only for `limiting_traction`.
 [[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
 /// Returns the bearing data on which the moments of a friction law depend, named by the keys of a
@@ -91,7 +91,7 @@ inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
 
 /// Throws std::invalid_argument if the bearing does not have the data that the law needs. Laws with
 /// Palmgren's load moment need the static load rating C0. The SKF law needs a contact angle above
-/// 0. The laws themselves do not check the data.
+/// 0. The functions that compute the moments do not check these data.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For `palmgren`, `powers` and `contact_powers`, `load` is
@@ -105,8 +105,8 @@ struct BaseMoments {
   T viscous;
 };
 
-/// Moments of a roller law. Moments that depend on the roller loads are NaN without a converged
-/// equilibrium.
+/// Friction moments of a cylindrical roller bearing by a law such as roller-palmgren. Moments that
+/// depend on the roller loads are NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
                                                  std::span<const double> values);
 

@@ -20,14 +20,13 @@ T power_loss(const T& friction_moment, const T& speed) {
 /// Friction moments of one bearing, grouped by the place where their heat arises [N m].
 struct HeatSources {
   double load = 0.0;  ///< load moment of the base law
-  /// Viscous moment of the base law, and moments of effects for which the place of the heat is not
-  /// known.
+  /// Viscous moment of the base law plus the moments of effects whose heat has no known place.
   double viscous = 0.0;
   /// Friction coefficient of the effect `spin-friction` [1]; 0 without this effect.
   double spin_coefficient = 0.0;
 };
 
-/// Heat of each ring [W]. The sum of both values equals the power loss to within rounding error.
+/// Heat of each ring [W]. The sum over both rings equals the power loss to within rounding error.
 struct HeatSplit {
   double inner = unset;
   double outer = unset;
@@ -40,13 +39,14 @@ struct HeatSplit {
 ///   viscous   in proportion to         Σ v
 ///   v_i = (ω - ω_m) (d_m - D cos αi)/2,   v_o = ω_m (d_m + D cos αo)/2
 ///
-/// Each sum is over the balls that touch the race; v is the rolling speed at the contact. All heat
-/// of an inner contact is assigned to the inner ring, including the heat that flows into the ball.
-/// The split of spin friction is exact. The splits of load and viscous friction are assumptions:
-/// the load friction of a contact is proportional to Q v, and the viscous friction of a contact to
-/// v. The assumption for viscous friction implies equal film thickness at both races. At low speed,
-/// Q and v are equal at both contacts, so each ring gets half of the heat from load friction and
-/// from viscous friction. Each ring also gets half of this heat if no ball is loaded. μ is
+/// Each sum is over the balls that touch the race. v is the rolling speed at a contact, v_i at the
+/// inner race and v_o at the outer race. All heat of an inner contact is assigned to the inner
+/// ring, including the heat that flows into the ball. The split of spin friction is exact. The
+/// splits of load and viscous friction are assumptions: the load friction of a contact is
+/// proportional to Q v, and the viscous friction of a contact to v. The assumption for viscous
+/// friction implies equal film thickness at both races. At low speed, Q and v are equal at both
+/// contacts, so each ring gets half of the heat from load friction and from viscous friction. If no
+/// ball is loaded, each ring also gets half of the heat from load and viscous friction. μ is
 /// HeatSources::spin_coefficient, and spin.h describes a, E(k) and ω_s. Q is the contact load, ω
 /// the shaft speed and ω_m the orbital speed of the balls. αi and αo are the contact angles, D is
 /// the ball diameter and d_m the pitch diameter.

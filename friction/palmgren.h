@@ -29,7 +29,7 @@ T palmgren_load(const BearingState<T>& s) {
   const double angle = s.bearing->geometry().contact_angle;
   const double axial_factor = angle > 0.0 ? 0.9 / std::tan(angle) : 3.3;
   const T thrust = axial_factor * abs(s.axial_load) - 0.1 * s.radial_load;
-  // The result is NaN if a load is NaN, because of the order of this comparison.
+  // With the operands in this order, the result is NaN if a load is NaN.
   return thrust < s.radial_load ? s.radial_load : thrust;
 }
 
@@ -66,7 +66,7 @@ T static_equivalent_load(const BearingState<T>& s) {
   using std::abs;
   const auto [X0, Y0] = static_load_factors(s.bearing->geometry().contact_angle);
   const T combined = X0 * s.radial_load + Y0 * abs(s.axial_load);
-  // The result is NaN if a load is NaN, because of the order of this comparison.
+  // With the operands in this order, the result is NaN if a load is NaN.
   return combined < s.radial_load ? s.radial_load : combined;
 }
 
@@ -88,7 +88,8 @@ template <typename T>
 T f1_ratio(const BearingState<T>& s) {
   const double C0 = s.bearing->geometry().static_load_rating;
   if (s.f1_load == F1Load::F_b) return palmgren_load(s) / C0;
-  // Automatic differentiation also multiplies by the reciprocal, so both give equal digits.
+  // A product with the reciprocal, as in automatic differentiation: the value has the same digits
+  // with and without derivatives.
   return static_equivalent_load(s) * (1.0 / C0);
 }
 
@@ -97,9 +98,9 @@ T f1_ratio(const BearingState<T>& s) {
 ///   M1 = f1 F_b d_m,   f1 = z (P0/C0)^y
 ///
 /// F_b is palmgren_load(), P0 is static_equivalent_load(), d_m is the pitch diameter, and C0 the
-/// static load rating. If BearingState::f1_load is F_b, f1 = z (F_b/C0)^y. With the same z, the
-/// moment under pure thrust is then larger than with P0, by a factor of 1.7 at a contact angle of
-/// 25 deg and 1.9 at 15 deg. A value of z for P0 is not valid for F_b.
+/// static load rating. If BearingState::f1_load is F_b, f1 = z (F_b/C0)^y. For equal z and under
+/// pure thrust, the moment with F_b is larger than with P0, by a factor of 1.7 at a contact angle
+/// of 25 deg and 1.9 at 15 deg. A value of z for P0 is not valid for F_b.
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the books. The formula
 ///           f1 = z (P0/C0)^y is in [KRW2006, p. 116-118], with z = 0.00067 and y = 0.33 for
 ///           angular contact. Some manufacturers give values of z up to 0.001. The formula f1 = z

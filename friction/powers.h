@@ -26,7 +26,7 @@ namespace raceway::friction {
 struct PowersViscous {
   static constexpr std::array parameters{Parameter{.name = "viscous_exponent",
                                                    .unit = "1",
-                                                   .initial = 0.667,  // about Palmgren's
+                                                   .initial = 0.667,  // Palmgren: 2/3
                                                    .lower = 0.2,
                                                    .upper = 1.2},
                                          Parameter{.name = "viscous_load_exponent",
@@ -42,10 +42,10 @@ struct PowersViscous {
     const T load = f1_load(s);
     if (load <= 0.0) return T(0.0);  // 0^b has no finite derivatives
     const T nu_n = (s.kinematic_viscosity / mm2_per_s) * (s.speed / rpm);
-    // Multiplies by the reciprocal, as automatic differentiation does, so that both give equal
-    // digits.
+    // A product with the reciprocal, as in automatic differentiation: the value has the same digits
+    // with and without derivatives.
     const T share = (nu_n < 2000.0 ? T(2000.0) : nu_n) * (1.0 / medium_nu_n);
-    // Palmgren's moment at ν n = 300 000; the moment depends only on this product.
+    // Palmgren's moment at ν n = 300 000. It depends on ν and n only through the product ν n.
     const T medium =
         palmgren_viscous_moment(f0, T(medium_nu_n * mm2_per_s), T(1.0 * rpm), s.pitch_diameter());
     return medium * pow(share, exponent) *
@@ -59,8 +59,8 @@ struct PowersViscous {
 ///
 /// The formula applies to the load moment and to the viscous moment. The sum is over the inner and
 /// outer contacts of all Z balls. Q is the load of a contact. M_p(F_a) is the moment of the law
-/// `powers` under the thrust F_a alone. At low speed, the contact angles are near α0, and under
-/// pure thrust F_a, M is nearly M_p(F_a). At high speed, the centrifugal force increases the loads
+/// `powers` under the thrust F_a alone. At low speed, the contact angles are near α0. M is then
+/// nearly M_p(F_a) under pure thrust F_a. At high speed, the centrifugal force increases the loads
 /// of the outer contacts. If α0 = 0, the formula uses 15 deg instead of α0, like palmgren_load().
 ///
 /// Source:   derived. The rolling moment of one contact is a product of powers of speed and load

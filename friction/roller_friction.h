@@ -34,8 +34,8 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 ///   F_r       F = F_r, the external radial load
 ///   rollers   F = max(F_r, (Σ Qi + Σ Qo)/(2 · 1.25803))
 ///
-/// At zero clearance and at rest, both options give F_r. With the option `rollers`, a preloaded
-/// bearing has a load-dependent moment even without external load.
+/// For straight rollers at zero clearance and at rest, both options give F_r. With the option
+/// `rollers`, a preloaded bearing has a load-dependent moment even without external load.
 /// Source: derived. The published laws use F_r only.
 [[nodiscard]] double counted_load(const RollerState& state);
 
@@ -47,8 +47,8 @@ inline constexpr double roller_sum_ratio = 1.25803095402823;
 /// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], not checked against the books. The value
 ///           f1 = 0.0003 comes from the public program thermca, after Jungnickel. The usual range
 ///           of f1 is 0.0002 to 0.0004, without a checked source.
-/// Domain:   F >= 0. Here f1 is a constant. In Palmgren's law for ball bearings, f1 depends on the
-///           load.
+/// Domain:   F >= 0. For roller bearings, f1 is a constant. In Palmgren's law for ball bearings, f1
+///           depends on the load.
 struct RollerPalmgrenLoad {
   static constexpr std::array parameters{
       Parameter{.name = "f1", .unit = "1", .initial = 0.0003, .lower = 0.0, .upper = 0.01}};
@@ -64,7 +64,7 @@ struct RollerPalmgrenLoad {
 /// units of mm, N, rpm, mm²/s and N mm. The constants were not checked against the catalogue table.
 struct SkfRollerConstants {
   double R1 = 1.12e-6;
-  double S1 = 0.16;  ///< factor of the axial load; no effect, because the axial load is 0 here
+  double S1 = 0.16;  ///< factor of the axial load F_a; no effect, because F_a = 0 in RollerSkf
   double S2 = 0.0015;
   double K_Z = 5.1;
 };

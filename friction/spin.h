@@ -42,8 +42,8 @@ struct ContactPair {
 ///
 /// ω_s is the spin speed of a contact and ω the shaft speed; unit_spin_moment() describes Q, a and
 /// E(k). The power M ω equals the sum of M_s ω_s over all contacts (M_s: spin moment of a contact).
-/// The sum is over the balls, because their loads and contact angles can differ. Under outer
-/// control only the inner contacts spin; under inner control only the outer contacts spin.
+/// The loads and contact angles of the balls can differ. Under outer control only the inner
+/// contacts spin; under inner control only the outer contacts spin.
 ///
 /// Source:   derived from unit_spin_moment() by a power balance; ω_s by [Jones1960] as in
 ///           bearing/kinematics.h.
@@ -62,7 +62,7 @@ struct ContactPair {
   ContactPair sum;
   for (std::size_t i = 0; i < balls.distinct().size(); ++i) {
     const bearing::BallEquilibrium& ball = balls.distinct()[i];
-    // A ball without inner contact is under outer control: neither contact spins.
+    // Without inner contact, outer control applies: the outer contact of the ball does not spin.
     if (!(ball.inner_load > 0.0)) continue;
     const bearing::BallRotation r =
         bearing::ball_rotation(race_control, ball.inner_contact_angle, ball.outer_contact_angle,

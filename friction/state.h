@@ -44,7 +44,7 @@ struct BearingState {
   const bearing::RollerBearing* rollers = nullptr;
   const bearing::RollerEquilibrium* roller_equilibrium = nullptr;
 
-  /// d_m of the ball or roller bearing [m].
+  /// Pitch diameter d_m of the ball or roller bearing [m].
   [[nodiscard]] double pitch_diameter() const {
     return rollers ? rollers->geometry().pitch_diameter : bearing->geometry().pitch_diameter;
   }

@@ -31,17 +31,17 @@ void validate(const TableAxes& axes);
 
 /// Results at one point of a table.
 struct TablePoint {
-  /// Status of the equilibrium if the equilibrium did not converge. If it converged, the status is
-  /// `not_finite` if a moment, the power loss or the shaft position is not finite, otherwise
-  /// `converged`. The friction moment can be valid even if the equilibrium did not converge,
-  /// because some friction laws do not use the equilibrium.
+  /// Status of the equilibrium solver. For a converged equilibrium, the status is `not_finite` if a
+  /// moment, the power loss or the shaft position is not finite, otherwise `converged`. The
+  /// friction moment can be valid even if the equilibrium did not converge, because some friction
+  /// laws do not use the equilibrium.
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   double friction_moment = unset;  ///< [N m]
   std::span<double> columns;       ///< additional values, in the order of StribeckTable::columns
 };
 
 /// Part of a table that is computed in several parts: one of `count` blocks of consecutive points.
-/// The default is the whole table.
+/// By default, the slab is the whole table.
 struct TableSlab {
   std::size_t index = 0;  ///< index of the block, from 0
   std::size_t count = 1;
@@ -94,11 +94,11 @@ using TableLine =
 /// The table is divided into pieces of at most 256 points, independent of the number of threads.
 /// `line` gets one piece in each call. The table does not depend on the number of threads if `line`
 /// calculates its results only from the points of the piece. The joined slabs of a table equal the
-/// whole table if `line` calculates each result only from its own operating point. `progress`
-/// receives the finished fraction, from 0 to 1. Calls of `progress` do not overlap. An exception
-/// from `line` or `progress` ends the build and reaches the caller. Throws std::invalid_argument
-/// like validate(axes), and if slab.index >= slab.count. The function needs memory for the result
-/// and for one piece per thread.
+/// whole table if `line` calculates the result of a point only from the operating point of this
+/// point. `progress` receives the finished fraction, from 0 to 1. Calls of `progress` do not
+/// overlap. An exception from `line` or `progress` ends the build and reaches the caller. Throws
+/// std::invalid_argument like validate(axes), and if slab.index >= slab.count. The function needs
+/// memory for the result and for one piece per thread.
 [[nodiscard]] StribeckTable build_stribeck_table(const TableAxes& axes,
                                                  std::vector<std::string> columns,
                                                  const TableLine& line,

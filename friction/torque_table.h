@@ -31,8 +31,8 @@ struct TorqueTable {
   /// Load-dependent part of the moment, on the same grid, as in tables of `raceway table`; empty if
   /// not known. split_heat() uses this part to split the heat between the rings.
   StribeckTable load{};
-  /// True if the file has a column for this input. Without a column, the axis has one value in
-  /// `grid`.
+  /// True if the file has a column for the axial load, the radial load or the temperature,
+  /// respectively. The axis of an input without a column has one value in `grid`.
   bool has_axial_load = true, has_radial_load = true, has_temperature = true;
   /// True if the table gives the torque of a whole shaft as a function of the load at the nose.
   /// Such a table cannot be a base law.

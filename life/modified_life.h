@@ -29,11 +29,11 @@ namespace raceway::life {
 /// `fatigue_ratio` = e_C C_u/P. e_C is the contamination factor (0 to 1; 1 means clean), C_u the
 /// fatigue load limit, and P the equivalent load.
 /// Source:   [ISO281, eqs. 31 to 33], as quoted in two texts, not checked against the printed
-///           standard. One public program has p = 0.019087 in the second range of κ. This value is
-///           an error, because a_ISO would then have a step at κ = 0.4.
+///           standard. One public program has p = 0.019087 in the second range of κ. 0.019087 is an
+///           error, because with this p, a_ISO has a step at κ = 0.4.
 /// Domain:   κ >= 0.1, fatigue_ratio >= 0; the factor is NaN below these limits. The formula is
 ///           valid for steel bearings only. The standard gives no factor for hybrid bearings;
-///           makers use the same factor.
+///           makers use the factor for steel bearings.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
 
 /// Life modification factor a_ISO of radial roller bearings at the viscosity ratio κ [1].

@@ -5,8 +5,8 @@
 
 namespace raceway::life {
 
-/// Dynamic load ratings of inner race (Q_ci) and outer race (Q_ce) as ball loads, for a million
-/// revolutions [N].
+/// Dynamic load ratings of the races [N]: ball loads at the inner race (Q_ci) and the outer race
+/// (Q_ce) for a basic rating life of a million revolutions.
 ///
 ///   Q_ci = C/(0.407 Z cos α) (1 + T^(10/3))^0.3,   Q_ce = C/(0.389 Z cos α) (1 + T^(-10/3))^0.3
 ///   T = 1.044 ((1 - γ)/(1 + γ))^1.72 (f_i (2 f_o - 1)/(f_o (2 f_i - 1)))^0.41,  γ = D cos α/d_m
@@ -15,8 +15,8 @@ namespace raceway::life {
 /// angle. D is the ball diameter and d_m the pitch diameter. f_i and f_o are the conformities of
 /// inner and outer ring.
 /// Source:   [ISO16281, eqs. 1, 2], as two other programs implement them, not checked against the
-///           printed standard. In this code, the exponent of cos α is 1. One of these programs has
-///           the exponent 0.7, which changes the result only if α is not 0.
+///           printed standard. In this code, the exponent of cos α is 1. One of the two programs
+///           has the exponent 0.7, which changes the result only if α is not 0.
 /// Domain:   α from 0 to 45 deg; the ratings are NaN above 45 deg. C comes from
 ///           dynamic_load_rating() or from a catalogue [N].
 struct RaceRatings {
@@ -31,7 +31,7 @@ struct RaceRatings {
 ///   Q_ei = (Σ Q³/Z)^(1/3) (rotating inner ring),   Q_ee = (Σ Q^(10/3)/Z)^0.3 (outer ring)
 ///
 /// Source:   [ISO16281, eqs. 5 to 9]. For a deep-groove bearing, the lives differ by at most 0.03 %
-///           from all lives that a commercial program prints.
+///           from the results of a commercial program.
 /// Domain:   the inner ring rotates. The life is NaN if a load is NaN, and infinite without load.
 ///           At high speed, the loads of a ball on inner and outer race differ, and the function
 ///           uses the loads on each race. The standard does not cover high speed.

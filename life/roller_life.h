@@ -25,8 +25,8 @@ namespace raceway::life {
 /// Source: [ISO76], not checked against the printed standard.
 [[nodiscard]] double static_load_rating(const bearing::RollerGeometry& geometry);
 
-/// Fatigue load limit C_u = C0/8.2 [N]. If the pitch diameter d_m is above 100 mm, this value is
-/// multiplied by (100 mm/d_m)^0.3. Source: [ISO281], not checked against the printed standard.
+/// Fatigue load limit C_u = C0/8.2 [N]. If the pitch diameter d_m is above 100 mm, C_u is C0/8.2
+/// (100 mm/d_m)^0.3. Source: [ISO281], not checked against the printed standard.
 [[nodiscard]] double fatigue_load(const bearing::RollerGeometry& geometry);
 
 /// Dynamic load ratings of the races [N]: roller loads at the inner race (Q_ci) and the outer race
@@ -67,7 +67,7 @@ struct RollerRatings {
 /// Domain:   the life is NaN if the equilibrium did not converge, and infinite if there is no load.
 /// Trap:     for rollers without a profile, the edge stress makes the life depend on the number of
 ///           slices. L10r differs from the basic rating life (C/F_r)^(10/3): with the roller
-///           profile of the standard and C/F_r = 20.7, L10r is 3.3 times as long.
+///           profile of the standard and C/F_r = 20.7, L10r is 3.3 times the basic rating life.
 [[nodiscard]] double reference_life(const RollerRatings& ratings,
                                     const bearing::RollerEquilibrium& equilibrium,
                                     bool edges = true);

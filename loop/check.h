@@ -30,8 +30,8 @@ struct Check {
     /// Input that a test of the effect needs and that the record or the model lacks; empty if none
     /// is lacking.
     std::string missing;
-    /// Missing variation: text about an input that has too few different values in the record to
-    /// test the effect; empty if the values suffice.
+    /// Input that has too few different values in the record to test the effect, as text; empty if
+    /// the values suffice.
     std::string levels;
   };
   int rows = 0, runs = 0;
@@ -49,8 +49,8 @@ struct Check {
 };
 
 /// Checks which parameters can be fitted to a record and which effects the record can test.
-/// `judged` is the same record after averaging over dwells (fit::average_dwells()). The checks of
-/// the fit and of the noise use `judged` or, if it is null, `record`.
+/// `judged` is `record` after averaging over dwells (fit::average_dwells()). `free`, `problem` and
+/// `found_noise` are computed from `judged` or, if it is null, from `record`.
 [[nodiscard]] Check check(const fit::Subject& subject, const record::Record& record,
                           const record::Record* judged = nullptr);
 

@@ -20,9 +20,9 @@ using verdict::compare;
 /// Fits the free parameters by verdict::calibrate_by_noise(), or by
 /// tolerance::calibrate_approximation() for a spindle model or a correction.
 ///
-/// Throws std::invalid_argument if the called function throws this error. For a spindle model or a
-/// correction, calibrate() also throws this error if options.profile is true: intervals by profile
-/// likelihood need residuals that are not correlated in time.
+/// Throws std::invalid_argument if the called function throws std::invalid_argument. For a spindle
+/// model or a correction, calibrate() also throws it if options.profile is true, because intervals
+/// by profile likelihood need residuals that are not correlated in time.
 [[nodiscard]] verdict::Calibration calibrate(const fit::Subject& subject,
                                              const record::Record& record,
                                              const verdict::CalibrateOptions& options = {});
@@ -30,7 +30,7 @@ using verdict::compare;
 /// Finds the missing effect by verdict::diagnose_by_noise(), or by
 /// tolerance::diagnose_approximation() for a spindle model or a correction.
 ///
-/// Throws std::invalid_argument if the called function throws this error, or if
+/// Throws std::invalid_argument if the called function throws std::invalid_argument, or if
 /// options.tried_before is not from 0 to 1 000 000. tried_before is the number of effects that
 /// earlier diagnoses have tried with the same data.
 [[nodiscard]] verdict::Diagnosis diagnose(const fit::Subject& subject, const record::Record& record,

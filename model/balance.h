@@ -20,7 +20,7 @@ struct BallTurning {
 /// Solves the ball equilibrium of a bearing. If the model assumes race control, the rotation of the
 /// balls follows from this assumption. Otherwise, the rotation follows from the oil traction at the
 /// temperature of the operating point. `bearing` and `oil` may differ from the bearing and the oil
-/// of the model. If `neighbour`, a known solution, is given, the iteration starts from it.
+/// of the model. The iteration starts from the known solution `neighbour`, if it is given.
 [[nodiscard]] bearing::BearingEquilibrium solve_balls(
     const Model& model, const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
     const bearing::EquilibriumOptions& options, const friction::Lubricant& oil,

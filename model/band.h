@@ -16,8 +16,8 @@ namespace raceway::model {
 ///
 /// The propagation is linear. g comes from central differences with steps of a tenth of a standard
 /// error. If a step in one direction is impossible, because the parameter is at its bound or the
-/// model has no equilibrium there, the difference is one-sided. The band includes neither errors
-/// from missing effects nor the noise of readings.
+/// model with the changed parameter has no equilibrium, the difference is one-sided. The band
+/// includes neither errors from missing effects nor the noise of readings.
 ///
 /// Accuracy: exact if y is linear in θ; otherwise the error is of the order of the squared standard
 ///           errors.
@@ -29,15 +29,16 @@ class Band {
 
   static constexpr double level = 0.95;
 
-  /// Throws std::invalid_argument for a model without a covariance.
+  /// Throws std::invalid_argument if the model has no covariance or lacks a parameter that the
+  /// covariance names.
   explicit Band(const Model& model);
 
   /// Returns the names of the fitted parameters.
   [[nodiscard]] const std::vector<std::string>& fitted() const { return model_.covariance->names; }
   /// Returns the half width of the band of each predicted value, in the unit of the value. The half
   /// width is NaN if the value or one of its derivatives cannot be computed. The operator calls
-  /// `outputs` once with the model, and at most twice for each fitted parameter with a changed
-  /// value. Several threads may call the operator simultaneously.
+  /// `outputs` once with the model. For each fitted parameter, it calls `outputs` at most twice,
+  /// with changed values of this parameter. Several threads may call the operator simultaneously.
   [[nodiscard]] std::vector<double> operator()(const Outputs& outputs) const;
 
  private:

@@ -8,7 +8,7 @@ namespace raceway::model {
 /// Life of a bearing at one operating point, by the formulas in the folder life/. A value is NaN if
 /// the formulas are not valid for the bearing or the operating point, for example a thrust bearing
 /// or a film too thin for ISO 281. A life is the running time at the speed of the operating point;
-/// at standstill, it is infinite.
+/// at standstill, the life is infinite.
 struct BearingLife {
   double load_rating = unset;      ///< dynamic load rating C [N], given or from ISO 281
   double fatigue_load = unset;     ///< fatigue load limit C_u [N], given or from ISO 281
@@ -23,16 +23,16 @@ struct BearingLife {
   /// largest contact pressure p_max.
   double static_safety = unset;
   /// True if the balls or rollers and the rings have different materials. ISO 281 gives no a_ISO
-  /// for such bearings. `modification` is then calculated as for a bearing of steel, and `modified`
-  /// is NaN.
+  /// for hybrid bearings. For these, `modification` is the value for a steel bearing, and
+  /// `modified` is NaN.
   bool hybrid = false;
 };
 
 /// Returns the life of a bearing. `prediction` must contain the equilibrium of the balls or
-/// rollers. For a ball bearing, P is computed from the applied loads in `point`. The reference life
-/// also includes the loads caused by speed and by the growth of the rings. For a cylindrical roller
-/// bearing, the equivalent load is P_ref of ISO/TS 16281, a_ISO is computed from P_ref, and the
-/// modified life is a1 a_ISO L10r.
+/// rollers. For a ball bearing, the equivalent load P is computed from the applied loads in
+/// `point`. The reference life also includes the loads caused by speed and by the growth of the
+/// rings. For a cylindrical roller bearing, the equivalent load is P_ref of ISO/TS 16281, a_ISO is
+/// computed from P_ref, and the modified life is a1 a_ISO L10r.
 [[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
                                        const FrictionPrediction& prediction);
 

@@ -14,9 +14,8 @@ namespace raceway::model {
 /// Shared pointer to a ball equilibrium.
 using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 
-/// Stores contact results of one row of a record. During a fit, the same or nearly the same results
-/// are needed many times, and the integrals over the contact ellipses take most of the computing
-/// time.
+/// Stores contact results of one row of a record. A fit needs equal or nearly equal results many
+/// times, and the integrals over the contact ellipses take most of the computing time.
 ///
 /// A stored result is valid for the same ball equilibrium, oil and temperature, and for the same
 /// parameters of the contact law, except the factors of rolling and hysteresis, which may differ.
@@ -38,9 +37,9 @@ class ContactMemory {
     (void)remember(balls, s, values, result);
   }
   /// Returns the friction moment of the bearing state `s` and the derivative of the moment with
-  /// respect to temperature. In the derivative, the viscosity changes with temperature as ν(T) of
-  /// the oil. If a result for a temperature near s.temperature is already stored, the function
-  /// returns moment and derivative at that temperature.
+  /// respect to temperature. The derivative includes the change of the oil viscosity ν(T) with
+  /// temperature. If a result for a temperature near s.temperature is stored, the function returns
+  /// moment and derivative at the stored temperature.
   [[nodiscard]] effects::MomentTangent tangent(const Balance& balls,
                                                friction::BearingState<double> s,
                                                std::span<const double> values);
@@ -57,7 +56,7 @@ class ContactMemory {
     double viscosity_40C, viscosity_100C, temperature, viscosity;
     std::vector<double> values;  // parameter values of the law
     friction::contact::ContactResult result;
-    bool along_oil;      // true if the oil has this viscosity at `temperature`
+    bool along_oil;      // true if `viscosity` is ν(`temperature`) of the oil
     Parts slope{};       // derivatives with respect to temperature, along ν(T) of the oil
     double reach = 0.0;  // range in which the slope is valid [K]; 0: no slope yet
   };

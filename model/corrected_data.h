@@ -12,8 +12,8 @@ namespace raceway::model {
 /// temperature is NaN if the model does not give it.
 [[nodiscard]] effects::Entry entry_of(const Model& model, double temperature);
 
-/// Returns the model with corrected lubricant viscosities. The effects that correct the viscosities
-/// are removed from this model. Effects that correct recorded values remain in the model.
+/// Returns the model with corrected lubricant viscosities. The returned model does not contain the
+/// effects that correct the viscosities. Effects that correct recorded values remain in the model.
 [[nodiscard]] Model with_corrected_data(Model model);
 
 /// Describes the corrected value, such as "5.91 mm2/s at 100 C instead of the entered 6.4"; empty

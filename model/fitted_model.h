@@ -19,12 +19,12 @@ class FittedModel {
   /// Returns true if the fit changes no parameters.
   [[nodiscard]] bool as_entered() const { return places_.empty(); }
   /// Sets the parameters to `values`, in the order of `places`. Returns the first stage of the
-  /// prediction that must be computed again. This is the first stage that depends on a parameter
-  /// whose value differs from the value in the last call of keep(). Throws std::invalid_argument
-  /// for values that the model does not accept.
+  /// prediction that must be computed again. A stage must be computed again if it depends on a
+  /// parameter whose value differs from the value in the last call of keep(). Throws
+  /// std::invalid_argument for values that the model does not accept.
   [[nodiscard]] Stage set(std::span<const double> values);
-  /// Stores the values of the last set(). Call this function after all predictions were computed
-  /// with these values.
+  /// Stores `values`, which must be the values of the last set(). Call this function after all
+  /// predictions were computed with these values.
   void keep(std::span<const double> values);
 
  private:

@@ -17,7 +17,7 @@ namespace raceway::model {
 /// operating point. A note only informs.
 struct Limit {
   std::string_view id;     ///< id in JSON documents
-  double value;            ///< limit in `unit`; NaN if it depends on the bearing
+  double value;            ///< limit in `unit`; NaN if the limit depends on the bearing
   std::string_view unit;   ///< unit of the limit in texts and JSON documents
   bool is_warning = true;  ///< true: warning; false: note
 };
@@ -34,12 +34,12 @@ inline constexpr Limit static_pressure{"static_pressure", 4.2, "GPa", false};
 /// source). The pressure at the fatigue load limit of [ISO281, annex B] is 1500 MPa.
 inline constexpr Limit running_pressure{"running_pressure", 2.0, "GPa"};
 /// Speed limit that the maker's catalogue gives for a single bearing with spring preload. Source:
-/// [GMN4000]. With balls of silicon nitride, the limit is 1.25 times this speed [GMN speed
+/// [GMN4000]. With balls of silicon nitride, the limit is 1.25 times the catalogue speed [GMN speed
 /// factors].
 inline constexpr Limit catalogue_speed{"catalogue_speed", unset, "rpm"};
 /// Speed factor n d_m (speed times pitch diameter) of the fastest bearings with steel balls in
 /// [GMN4000]. The bearing KH 6014 C with d_m = 90 mm reaches 24 000 rpm with oil-air and 18 000 rpm
-/// with grease. Balls of silicon nitride allow 1.25 times this value.
+/// with grease. Balls of silicon nitride allow 1.25 times this speed factor.
 inline constexpr Limit speed_factor{"speed_factor", 2.16e6, "mm/min"};
 inline constexpr Limit speed_factor_grease{"speed_factor", 1.62e6, "mm/min"};
 inline constexpr double ceramic_speed_factor = 1.25;
@@ -63,8 +63,8 @@ inline constexpr Limit oil_hot{"hot_oil", 150.0, "C"};
 /// (not checked in a printed source). At 1/1000, the hoop stress of a steel ring is about 0.2 GPa.
 inline constexpr Limit interference{"interference", 1e-3, "of the diameter"};
 /// Largest slope of the bending line at the nose. At a larger slope, the deflections are no longer
-/// proportional to the load. The tilt of the bearings is then also far above the permissible tilt
-/// of spindle ball bearings, 0.6 mrad or 2 angular minutes (not checked in a printed source).
+/// proportional to the load. The limit of 10 mrad is also far above the permissible tilt of spindle
+/// ball bearings, 0.6 mrad or 2 angular minutes (not checked in a printed source).
 inline constexpr Limit nose_slope{"nose_slope", 10.0, "mrad"};
 /// Range of speeds, loads and temperatures that the torque table of a model covers. Outside this
 /// range, the program uses the torque at the edge of the table.
@@ -106,7 +106,7 @@ struct JudgedBearing {
 /// For each exceeded limit, the class stores the number of operating points beyond the limit and
 /// the worst of these points. In addition, the class reports balls without contact to the inner
 /// race. In an angular-contact bearing, the class also reports balls that run at the bottom of the
-/// inner groove or beyond the bottom, instead of on the shoulder side (bearing/seat.h).
+/// inner groove or on the side without a shoulder (bearing/seat.h).
 class Judge {
  public:
   explicit Judge(const Model& model);
@@ -126,7 +126,7 @@ class Judge {
   /// the smaller axial force of the two sets.
   void look_at_preload(const bearing::OperatingPoint& point, double front_force, double rear_force,
                        double mounted);
-  /// Adds the findings of another object for the same model.
+  /// Adds the operating points that another object for this model has compared with the limits.
   void add(const Judge& other);
   [[nodiscard]] Findings findings() const;
 

@@ -21,12 +21,12 @@
 
 namespace raceway::model {
 
-/// Properties of the test rig. The loads and temperatures of the rig are used if a record has no
-/// column for them.
+/// Properties of the test rig. If a record has no column for a load or temperature, the value of
+/// the rig is used.
 struct Rig {
   double inertia = unset;  ///< inertia of all parts that coast down [kg m²]; NaN: not given
-  /// True if the user declares the inertia as unknown. All torques then contain the same unknown
-  /// factor.
+  /// True if the user declares the inertia as unknown. All torques of the record then have one
+  /// common unknown factor.
   bool unknown_inertia = false;
   int bearings = 1;                 ///< number of equal bearings on the rig [1]
   double axial_load = unset;        ///< axial load per bearing [N]

@@ -12,8 +12,7 @@ namespace raceway::model {
 
 /// Bearing of a model: a ball bearing or a cylindrical roller bearing.
 ///
-/// The conversion to bearing::Bearing is for ball bearings. It throws std::invalid_argument for a
-/// roller bearing.
+/// The conversion to bearing::Bearing throws std::invalid_argument for a roller bearing.
 class ModelBearing {
  public:
   // Implicit conversions from both kinds of bearing.

@@ -14,7 +14,7 @@ namespace raceway::model {
 
 /// Columns that a model expects in a file of measurements.
 struct Expected {
-  /// Value that replaces the column of a channel if a file does not contain this column.
+  /// Value of a channel in every row of a file that has no column for the channel.
   struct Default {
     const record::Channel* channel;
     double value;      ///< value in every row [SI]; NaN if the column is required
@@ -44,8 +44,8 @@ struct Expected {
 /// shaft or a spindle.
 ///
 /// User-defined effects that are only candidates (see waiting_effects()) stay in the model, but
-/// have no influence until with_candidates() switches them on. If with_candidates() switches on a
-/// candidate from the catalogue of effects, this effect becomes the last effect of the model.
+/// have no influence until with_candidates() switches them on. with_candidates() adds a candidate
+/// from the catalogue of effects as the last effect of the model.
 class ModelSubject : public fit::Subject {
  public:
   /// Returns the model as entered by the user, including effects that are only candidates.
@@ -110,8 +110,9 @@ class ModelSubject : public fit::Subject {
   /// Returns the friction torque as a measured channel, with the usual scatter of rig sensors and
   /// the tolerance from the model.
   [[nodiscard]] fit::Measured measured_torque() const;
-  /// Returns the other friction laws for the same type of bearing, with ids such as "law:skf". If
-  /// the model lacks an input of a law, the entry of this law contains no subject.
+  /// Returns the friction laws for this type of bearing, except the law of the model. The ids are,
+  /// for example, "law:skf". If the model lacks an input of a law, the entry of this law contains
+  /// no subject.
   [[nodiscard]] std::vector<fit::OtherBase> other_laws() const;
   /// Returns the ids of effects that are only candidates.
   [[nodiscard]] const std::vector<std::string>& waiting() const { return waiting_; }

@@ -84,7 +84,8 @@ class ParameterPlace {
 
   Kind kind_ = Kind::law;
   int effect_ = -1;
-  // index among the values of law or effect, numbers of all circuits, heat sources or sensors
+  // index of the parameter in the list of its kind: values of the law, of the effect or of the
+  // spindle, values of all circuits, heat sources, or sensors
   std::size_t index_ = 0;
   std::vector<double bearing::BearingGeometry::*> members_;
   double factor_ = 1.0;  // factor to the unit of the members
@@ -106,8 +107,8 @@ void set(Model& model, const record::Parameter& parameter, double value);
 
 /// Returns the parameters of a model that are free by default. For a spindle, only the first
 /// default parameter of the law is free, such as f0. For an arrangement with a preload force, only
-/// the preload is free, because assembly makes the preload uncertain. For all other models, the
-/// defaults of the law apply.
+/// the preload is free, because assembly makes the preload uncertain. For models without a spindle
+/// and without a preload force, the defaults of the law apply.
 [[nodiscard]] std::vector<std::string> default_free(const Model& model);
 
 }  // namespace raceway::model

@@ -14,16 +14,16 @@
 namespace raceway::model {
 
 /// Friction of one bearing at one operating point, and the reading of the rig. A value is NaN if an
-/// input is unknown, or if the friction law or an effect needs the ball equilibrium and the solver
-/// found none (see `report`). If only the moment of an effect cannot be computed, `load` and
-/// `viscous` are still valid. If neither the law nor an effect needs the ball loads, the torque is
-/// valid even without an equilibrium.
+/// input is unknown. A value is also NaN if the friction law or an effect needs the ball
+/// equilibrium, and the solver found no equilibrium (see `report`). If only the moment of an effect
+/// cannot be computed, `load` and `viscous` are still valid. If neither the law nor an effect needs
+/// the ball loads, the torque is valid even without an equilibrium.
 struct FrictionPrediction {
   double load = unset;     ///< load moment of the base law, with the extra load from effects [N m]
   double viscous = unset;  ///< viscous moment of the base law, with the effects on the film [N m]
   /// Moment of each effect, in the order of the model [N m]. The moment is 0 for an effect that
-  /// changes the condition, the lubricant or the reading. The influence of such an effect is
-  /// contained in `load`, `viscous` or `reading`.
+  /// changes the condition, the lubricant or the reading, because `load`, `viscous` or `reading`
+  /// contains its influence.
   std::vector<double> effects;
   /// Result of the contact law from which `load` and `viscous` are calculated, including effects on
   /// the film; empty for all other laws.
@@ -67,8 +67,8 @@ struct FrictionPrediction {
                                                    const FrictionPrediction& prediction);
 
 /// Returns the contact friction of the balls, including effects on the film. `prediction` must be a
-/// converged prediction by the contact law. The result contains only one of several balls with
-/// equal loads.
+/// converged prediction by the contact law. If several balls have equal loads, the result contains
+/// only one of them.
 [[nodiscard]] std::vector<friction::contact::BallFriction> ball_contacts(
     const Model& model, const bearing::OperatingPoint& point, const FrictionPrediction& prediction);
 
@@ -79,7 +79,7 @@ struct FrictionPrediction {
 
 /// Predicts the friction of one bearing [N m] in steps. Effects can change the result of each step:
 ///
-///   condition    extra load, tilt, growth of rings, ball material: sum of the changes by effects
+///   condition    extra load, tilt, growth of rings, ball material: sum of the effects' changes
 ///   -> ball equilibrium, if the law, an effect or `with_equilibrium` requires it
 ///   lubricant    viscosity of the film and factor on the viscous moment, in the order of the
 ///                catalogue
@@ -87,7 +87,7 @@ struct FrictionPrediction {
 ///      bearing, all other laws use the original bearing
 ///   moment       moments of the effects, each computed from the moments of the base law
 ///   -> torque of all bearings of the rig
-///   reading      changes of the reading, each computed from the torque before this step
+///   reading      changes of the reading, each computed from the torque of all bearings
 ///
 /// The order of effects in the model therefore has no influence on the prediction.
 [[nodiscard]] FrictionPrediction predict_friction(const Model& model,

@@ -33,16 +33,16 @@ class RowPredictor {
                Rollers rollers = nullptr);
 
   /// Predicts the reading of the rig [N m]; NaN if no prediction is possible. The function computes
-  /// only the stage `from` of the prediction and all later stages (see Stage). Parameters that
-  /// affect an earlier stage must have the same values as in the last call.
+  /// only the stage `from` of the prediction and all later stages (see Stage). If the last call
+  /// gave NaN, it computes all stages. Parameters that affect an earlier stage must have the same
+  /// values as in the last call.
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
   /// Returns the bearing and the loads for which predict() needs an equilibrium. A caller can solve
   /// the equilibria of many rows together and pass each result to answer(). The result is empty if
   /// no equilibrium is needed, if the equilibrium is already stored, or if an input is unknown. The
-  /// result is also empty if the shaft imposes a tilt, or if the oil traction determines the
-  /// rotation of the balls. In the cases of an imposed tilt or of oil traction, predict() solves
-  /// the equilibrium.
+  /// result is also empty if the shaft or an effect tilts the bearing, or if the oil traction
+  /// determines the rotation of the balls. In these two cases, predict() solves the equilibrium.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
   /// Solves the equilibrium that predict() needs, and computes nothing else.
@@ -77,7 +77,8 @@ class RowPredictor {
     return oil_ ? *oil_ : model.lubricant;
   }
   void correct(const Model& model, const Steps& steps);
-  // Steps of the prediction; each uses the results of the steps before it in the members below.
+  // Steps of the prediction. Each step uses the results of earlier steps, stored in the members
+  // below.
   [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
   [[nodiscard]] bool warm_by_tangents(const Model& model, const effects::Effect& effect,
                                       const effects::LubricantInputs& in);
@@ -104,16 +105,16 @@ class RowPredictor {
     HoldingMoments held;
   };
   std::vector<KnownBalance> known_balances_;  // newest first
-  Balance entered_;                           // balls at the original load, if a step needed them
+  Balance entered_;                           // balls at the original load; null if not needed
   BallTurning entered_turning_;
 
   effects::Condition condition_;
   std::shared_ptr<const bearing::Bearing> bearing_;  // null: original bearing
   Balance equilibrium_;
-  Rollers rollers_;      // no parameter of a model changes it
+  Rollers rollers_;      // no fitted parameter changes this equilibrium
   BallTurning turning_;  // ball rotation inputs of `equilibrium_`
   bearing::SolveReport report_;
-  HoldingMoments held_;  // for an imposed tilt; otherwise NaN
+  HoldingMoments held_;  // moments that keep the tilt; NaN without tilt
   effects::Film film_;
   friction::BaseMoments<double> base_{unset, unset};
   std::optional<friction::contact::ContactResult> contacts_;
@@ -123,7 +124,8 @@ class RowPredictor {
   double torque_ = unset, reading_ = unset;
 };
 
-/// Solves the equilibria of several rows together. This is faster than solving them one by one.
+/// Solves the equilibria of several rows together. This is faster than solving the equilibria one
+/// by one.
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
 /// Computes the contact friction of several rows together (friction/contact/many_contacts.h). Call

@@ -109,10 +109,10 @@ struct Seat {
   double hardness = 3e9;            ///< hardness of the softer surface [Pa]
   /// Conductance of the contact of a ring with a shoulder or another ring [W/(m² K)].
   double shoulder_conductance = 8000.0;
-  /// Axial clamping forces of the inner rings with their spacers, and of the outer rings [N]. A
-  /// given force determines the contact pressure of the side faces, and this pressure their
-  /// conductance. If a force is NaN, the side faces have `shoulder_conductance`, and spacers have
-  /// no contact resistance.
+  /// Axial clamping forces of the inner rings with their spacers, and of the outer rings [N]. The
+  /// contact pressure of the side faces follows from the force, and the conductance of the side
+  /// faces from the pressure. If a force is NaN, the side faces have `shoulder_conductance`, and
+  /// spacers have no contact resistance.
   double inner_clamping_force = unset, outer_clamping_force = unset;
   /// Conductance from a side face of an outer ring to an adjacent collar of the shaft [W/(m² K)].
   /// The default assumes that ring and collar touch, as at a shoulder. For an air gap of 0.1 mm,
@@ -126,8 +126,8 @@ enum class Fluid { water, oil };
 
 inline constexpr double l_per_min = 1e-3 / 60;  ///< one litre per minute [m³/s]
 
-/// A cylindrical roller bearing on the shaft, in addition to the sets of ball bearings. It carries
-/// no axial load. Its friction follows Palmgren's formulas.
+/// A cylindrical roller bearing on the shaft, in addition to the sets of ball bearings. The roller
+/// bearing carries no axial load. Its friction follows Palmgren's formulas.
 struct RollerOnShaft {
   /// Name of the bearing; replaces NAME in columns such as NAME_clearance_um.
   std::string name;
@@ -193,7 +193,8 @@ struct HeatSource {
   /// `position` and `length`. `motor` is shaft and housing between the bearing sets, `pulley` is
   /// the shaft behind the last bearing, and `seal` is the shaft between the front face of the
   /// housing and the first bearing. If `position` and `length` are given for `motor`, `pulley` or
-  /// `seal`, the heat enters this span instead. `bearing` means the raceways of one bearing.
+  /// `seal`, the heat enters the span that they define. `bearing` means the raceways of one
+  /// bearing.
   enum class Place { shaft, housing, motor, pulley, seal, bearing };
   /// Name of the source: "motor", "drive" or the name of a [[heat]] in the model file.
   std::string name = {};
@@ -211,8 +212,8 @@ struct HeatSource {
   /// Radius of the heated cells of the mesh [m]; NaN: all cells from the bore to the surface.
   double radius = unset;
   double rotor_diameter = unset;  ///< outer diameter of the motor's rotor [m]
-  /// Share of a motor's heat that enters the shaft [1]. The rest enters the housing. For a heat
-  /// source at a bearing, this share enters the inner ring, and the rest enters the outer ring.
+  /// Share of a motor's heat that enters the shaft [1]; the rest enters the housing. For a heat
+  /// source at a bearing: share that enters the inner ring; the rest enters the outer ring.
   double rotor_share = 1.0;
 };
 
@@ -261,8 +262,8 @@ enum class Cells { coarse, medium, fine };
 /// flange, positive towards the tool.
 struct Spindle {
   std::string name = {};
-  /// True if the friction is computed from the bearing forces of the warm spindle; false if it is
-  /// computed from the bearing forces of the cold spindle at the same speed.
+  /// True if the bearing forces of the warm spindle determine the friction; false if the bearing
+  /// forces of the cold spindle at this speed determine the friction.
   bool preload_feedback = true;
   std::vector<double> front_positions = {}, rear_positions = {};    ///< centres of the bearings [m]
   double bearing_width = unset;                                     ///< width of one bearing [m]

@@ -37,18 +37,18 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
     const Model& model, const bearing::OperatingPoint& point,
     const bearing::BearingEquilibrium* equilibrium);
 
-/// Returns the condition of a bearing (extra load, tilt, ring growth, ball material): `given` plus
-/// the changes by the effects of the model. `entered` is the bearing state before these changes.
-/// The state may belong to the bearing of the model or to another bearing. If an effect needs an
-/// unknown input, such as a column that the record lacks, the members of the condition that this
-/// effect changes are not finite.
+/// Returns the condition of a bearing (extra load, tilt, ring growth, ball material): the condition
+/// `given` after the effects of the model have changed it. `entered` is the bearing state before
+/// these changes. The state may belong to the bearing of the model or to another bearing. If an
+/// effect needs an unknown input, such as a column that the record lacks, the members of the
+/// condition that this effect changes are not finite.
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,
                                               const effects::Record& record,
                                               const effects::Condition& given = {});
-/// Returns the same condition as the function above, but uses a given friction power. `power` is
-/// the result of entered_power() [W]; unused if uses_power() is false.
+/// Returns the condition of a bearing like the function above, but does not compute the friction
+/// power. `power` is the result of entered_power() [W]; unused if uses_power() is false.
 [[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
                                               const friction::BearingState<double>& entered,
                                               const bearing::OperatingPoint& point,
@@ -57,8 +57,8 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
 
 /// Returns true if an effect that changes the condition depends on the friction power.
 [[nodiscard]] bool uses_power(const Model& model, const Steps& steps);
-/// Returns the friction power of the base law [W], for the bearing state before any effect changes
-/// it. If the law uses ball loads, the function first solves the ball equilibrium.
+/// Returns the friction power of the base law [W] for the bearing state before any change by an
+/// effect. If the law uses ball loads, the function first solves the ball equilibrium.
 [[nodiscard]] double entered_power(const Model& model, friction::BearingState<double> entered,
                                    const bearing::OperatingPoint& point);
 

@@ -12,9 +12,9 @@ struct HoldingMoments {
 /// Solves the equilibrium of a bearing like solve_balls(), under the forces of the operating point.
 /// The shaft holds the inner ring at the angle `tilt` about z [rad]. Newton's method computes the
 /// moments about the two radial axes that hold this tilt. The iteration starts from `neighbour`, a
-/// known solution for a similar tilt, and from its moments, which the caller passes in `moments`.
-/// Without a known solution, pass null as `neighbour` and NaN as moments. The function replaces
-/// `moments` by the computed moments, or by NaN if the method does not converge.
+/// known solution for a similar tilt, and from `moments`, which contains the moments of this
+/// solution. Without a known solution, pass null as `neighbour` and NaN as moments. On return,
+/// `moments` contains the computed moments, or NaN if the method did not converge.
 ///
 /// Accuracy: the computed tilt differs from `tilt` by less than 1e-10 rad.
 [[nodiscard]] bearing::BearingEquilibrium solve_tilted(const Model& model,

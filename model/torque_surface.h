@@ -19,13 +19,14 @@ struct TorqueLoad {
 /// residuals are noise. The regression has 15 terms of a cubic polynomial in ln speed, the main
 /// load (`load`) and temperature. Each further load (`further`) adds four terms: the load, its
 /// square, and its products with ln speed and with the main load. If the recorded preload varies,
-/// its logarithm adds four such terms. Each recorded ring temperature that varies also adds four
-/// terms. Every term is multiplied by the predicted torque of the row.
+/// its logarithm adds four terms in the same way. Each recorded ring temperature that varies also
+/// adds four. Every term is multiplied by the predicted torque of the row.
 [[nodiscard]] fit::Saturation torque_saturation(const record::Record& record, TorqueLoad load,
                                                 std::vector<TorqueLoad> further = {});
 
 /// Returns the natural logarithms of the absolute values. Absolute values below 1 % of the largest
-/// absolute value are first raised to this limit, because the logarithm of zero does not exist.
+/// absolute value are first set to 1 % of the largest, because the logarithm of zero does not
+/// exist.
 [[nodiscard]] std::vector<double> logarithm(std::vector<double> values);
 
 /// Returns a list with the temperature channel if the recorded temperature varies; otherwise an

@@ -13,8 +13,8 @@ namespace raceway::record {
 
 /// Role of a column.
 enum class Role {
-  setting,    ///< set by the operator; may explain a reading
-  recorded,   ///< input that the operator does not set; may explain a reading
+  setting,    ///< set by the operator; may influence a reading
+  recorded,   ///< not set by the operator; may influence a reading
   measured,   ///< reading of a sensor; a model may predict it
   deviation,  ///< standard deviation of the readings of a measured channel
   time,
@@ -55,7 +55,7 @@ struct Channel {
   [[nodiscard]] constexpr std::string_view key_unit() const {
     return name.size() > variable.size() ? name.substr(variable.size() + 1) : std::string_view();
   }
-  /// Returns true if the channel may explain a reading.
+  /// Returns true if the quantity may influence a reading.
   [[nodiscard]] constexpr bool is_input() const {
     return role == Role::setting || role == Role::recorded;
   }
@@ -164,8 +164,8 @@ inline constexpr std::array channels{Channel{.name = "speed_rpm",
                                              .upper = 1e6,
                                              .role = Role::measured,
                                              .direction = "positive towards the tool"},
-                                     // A reading with zero standard deviation would outweigh all
-                                     // others.
+                                     // A standard deviation of zero is not allowed: it would give
+                                     // its reading an infinite weight.
                                      Channel{.name = "std_Nmm",
                                              .variable = "std",
                                              .words = "standard deviation",

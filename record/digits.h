@@ -5,8 +5,8 @@ namespace raceway::record {
 /// Returns `value` rounded to `digits` significant decimal digits. `digits` is 1 to 17.
 ///
 /// Fifteen digits remove the rounding error of a unit conversion: 6000.000000000001 rpm becomes
-/// 6000 rpm. The result does not depend on the locale. NaN and infinite values are returned
-/// unchanged. A value that would round to infinity is also returned unchanged.
+/// 6000 rpm. The result does not depend on the locale. NaN, infinite values and values that would
+/// round to infinity are returned unchanged.
 [[nodiscard]] double with_digits(double value, int digits);
 
 }  // namespace raceway::record

@@ -29,8 +29,8 @@ class Expression {
   /// Returns the indices in `names` of the variables that the formula uses, in ascending order.
   [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
   /// Evaluates the formula. `values` are the values of the variables in used(), in the same order.
-  /// The result is NaN if the formula has no value at this point, for example if a function is not
-  /// defined there.
+  /// The result is NaN if the formula has no value for `values`, for example if it contains the
+  /// logarithm of a negative number.
   [[nodiscard]] double operator()(std::span<const double> values) const;
 
  private:

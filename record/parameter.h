@@ -54,8 +54,8 @@ struct Parameter {
   /// the effect.
   double neutral = unset;
   /// True if the predicted readings are a linear function of this parameter while all other
-  /// parameters are fixed. If several such parameters change, the readings are a linear function of
-  /// all of them.
+  /// parameters are fixed. If several parameters with this property change, the readings are a
+  /// linear function of all of them.
   bool proportional = false;
   double scale = 1.0;  ///< typical size, > 0
   /// Standard error; NaN at a bound, or if the data do not determine the parameter.
@@ -68,9 +68,9 @@ struct Parameter {
   /// Value and standard uncertainty known before the fit; used only for spindle models and
   /// corrections (Subject::approximates()).
   Prior prior{};
-  /// True if the fit does not change the parameter. The parameter stays at `start` if other
-  /// parameters have the same influence, or at the value of `prior` if the record does not
-  /// determine the parameter.
+  /// True if the fit does not change the parameter, because the record does not determine it or
+  /// cannot separate it from other parameters. The parameter stays at `start`, or at the value of
+  /// `prior` for spindle models and corrections.
   bool held = false;
   bool plausible = true;  ///< false if `value` is far outside the range seen in practice
 };

@@ -14,8 +14,8 @@ namespace raceway::record {
 struct Column {
   const Channel* channel = nullptr;
   std::vector<double> values;  ///< value in each row [SI]; NaN if the row has no value
-  /// True if the column contains standard deviations that are treated as exact. Each standard
-  /// deviation then comes from a regression over many samples.
+  /// True if the column contains standard deviations that are treated as exact, because each one
+  /// comes from a regression over many samples.
   bool known = false;
 };
 
@@ -87,7 +87,7 @@ struct Record {
   /// Returns true if every row has a finite value of this channel.
   [[nodiscard]] bool complete(const Channel& channel) const;
 
-  /// Returns a record with these rows, in this order.
+  /// Returns a record with the rows that have the indices `rows`, in the order of `rows`.
   [[nodiscard]] Record picked(std::span<const std::size_t> rows) const;
   /// Returns a record with the same columns, but without rows.
   [[nodiscard]] Record without_rows() const;
@@ -101,11 +101,11 @@ struct Record {
 };
 
 /// Joins several records into one record. The result contains the rows of all records, one record
-/// after the other, sorted by `source`. Runs of different records stay separate. The result has
-/// every column that occurs in any record; a row has NaN if its record has no such column.
-/// Column::known is true only if it is true in all records. Part::name is the file name without
-/// folder and extension. If two of these names are equal, both names include the folder. The result
-/// contains the notes of all records.
+/// after the other; the records are sorted by `source`. Runs of different records stay separate.
+/// The result has every column that occurs in any record; a row has NaN if its record has no such
+/// column. Column::known is true only if all records have this column with `known` = true.
+/// Part::name is the file name without folder and extension. If two of these names are equal, both
+/// names include the folder. The result contains the notes of all records.
 ///
 /// Throws std::invalid_argument for fewer than two records, for two records with the same `source`,
 /// for a record whose `up_to_a_factor` is true, and for records with different `settings_hold`.

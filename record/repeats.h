@@ -20,10 +20,10 @@ struct SamePoint {
   double temperature = 0.1;
 };
 
-/// Returns groups of two or more rows. All rows of a group are at the operating point of its first
-/// row. The function searches `rows`, or all rows if `rows` is empty. A coast-down has no groups,
-/// because the speed differs in every row. Rows of different joined records are never in one group,
-/// because differences between days are not scatter.
+/// Returns groups of two or more rows. All rows of a group agree with the first row of the group
+/// within the tolerances `same`. The function searches `rows`, or all rows if `rows` is empty. A
+/// coast-down has no groups, because the speed differs in every row. Rows of different joined
+/// records are never in one group, because differences between days are not scatter.
 [[nodiscard]] std::vector<RepeatGroup> find_repeats(const Record& record,
                                                     const SamePoint& same = {},
                                                     std::span<const std::size_t> rows = {});

@@ -21,7 +21,8 @@ namespace raceway::report {
 
 /// Returns the HTML page with the bending line of the shaft under a force. `tangent` is the bending
 /// line with the bearing stiffness of the unloaded shaft. `stiff` is the bending line with rigid
-/// bearings. Both vectors contain deflection and slope of all nodes [m, rad], or are empty.
+/// bearings. Each of the two vectors contains deflection and slope of all nodes [m, rad], or is
+/// empty.
 [[nodiscard]] std::string deflection_report(
     const ModelOfPage& model, const bearing::Arrangement& arrangement, const spindle::Beam& beam,
     const std::vector<double>& places, bool warm, const results::DeflectionResult& result,

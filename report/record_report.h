@@ -34,9 +34,9 @@ struct DrawnModel {
 /// Returns the HTML page for `results`, the JSON document that `command` prints with `--json`. If
 /// several models predict the same channel, the page contains the readings of the channel once. The
 /// page marks the parts of the record that were held out from a fit to calculate the held-out
-/// error. The marks belong to the first model of each channel. `facts` lists friction law, oil and
-/// defaults of spindle models. `changes` contains the differences between each spindle model and
-/// the next model.
+/// error. If several models predict a channel, the marks are for the first model. `facts` lists
+/// friction law, oil and defaults of spindle models. `changes` contains the differences between
+/// each spindle model and the next model.
 [[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
                                         const record::Record& record,
                                         const std::vector<DrawnModel>& models,

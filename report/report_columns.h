@@ -25,8 +25,8 @@ class ReportColumns {
   /// Divides the rows into 500 consecutive sections of nearly equal length. In each section, keeps
   /// the row with the highest and the row with the lowest of `values`.
   void keep_extremes(const std::vector<double>& values);
-  /// Adds a column for a curve over time. Keeps the rows with extreme values of the curve by
-  /// keep_extremes().
+  /// Adds a column for a curve over time. Calls keep_extremes() to keep the rows with extreme
+  /// values of the curve.
   void add_course(std::string name, std::vector<double> values) {
     keep_extremes(values);
     add(std::move(name), std::move(values));

@@ -15,8 +15,8 @@
 #include "spindle/unbalance.h"
 
 /// Writes results for a shaft on its bearings as CSV and JSON. The shaft is modelled as a beam. The
-/// names contain the units (docs/files.md). If there is no equilibrium, values are empty in CSV and
-/// null in JSON.
+/// names contain the units (docs/files.md). Values that need an equilibrium are empty in CSV and
+/// null in JSON if the solver found none.
 namespace raceway::results {
 
 /// Modes of the shaft at one speed, and the bearings that support the shaft at this speed.
@@ -52,8 +52,9 @@ struct Crossing {
 
 /// Returns the speeds at which the frequency of a mode equals an excitation frequency: once or
 /// twice the speed of the shaft, or the cage, outer race or inner race frequency of a bearing. The
-/// intersections are interpolated linearly between the speeds, and are in ascending order of speed.
-/// Modes without a whirl direction are numbered alternately as backward and as forward modes.
+/// intersections are interpolated linearly between the speeds of `speeds`, and are in ascending
+/// order of speed. Modes without a whirl direction are numbered alternately as backward and as
+/// forward modes.
 [[nodiscard]] std::vector<Crossing> crossings(const std::vector<ModesAtSpeed>& speeds);
 
 /// Returns a Campbell diagram as CSV with one row for each mode at each speed. The columns are

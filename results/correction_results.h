@@ -13,7 +13,7 @@
 
 namespace raceway::results {
 
-/// Errors of a correction model on a record that its fit did not use.
+/// Errors of a correction model on a record that was not used to fit the model.
 struct Validation {
   std::string data{};  ///< file of the record
   /// Error statistics, after the mean error of each run is subtracted.
@@ -50,8 +50,8 @@ struct Corrected {
   correction::Beyond beyond{};
   std::vector<double> band{};  ///< half width of the 95 % band in each row [m]; empty if unknown
   double noise = unset;        ///< noise of a single reading [m]
-  /// Share of the readings whose error is inside the band [1]. The mean error of each run is
-  /// subtracted first. The band that is used for this share also contains the noise of a reading.
+  /// Share of the readings whose error, minus the mean error of the run, is inside the band [1].
+  /// For this share, the band is widened by the noise of a reading.
   double readings_in_band = unset;
   correction::Trust trust{};
 };

@@ -17,7 +17,7 @@ namespace raceway::results {
 struct VariedDatum {
   std::string name;
   double value = unset;
-  double spread = unset;  ///< possible error in both directions, in the unit of `name`
+  double spread = unset;  ///< largest assumed error, upwards or downwards, in the unit of `name`
   /// Origin of `spread`: "given" by the user, "standard error", or the default "1 %", "1 K" or "1"
   /// (for an integer). For a standard error s, the spread is sqrt(3) s. A uniform distribution over
   /// +-sqrt(3) s has the standard deviation s.
@@ -32,7 +32,7 @@ struct VariedDatum {
 /// Influence of one datum on one prediction, with all other data fixed.
 struct LocalSensitivity {
   double derivative = unset;
-  /// |`derivative` - difference quotient with half the step size|
+  /// Absolute difference between `derivative` and the difference quotient with half the step size.
   double derivative_error = unset;
   double change = unset;  ///< `derivative` times VariedDatum::spread
   /// Predictions at the value of the datum minus its spread, and plus its spread.

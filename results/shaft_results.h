@@ -19,8 +19,8 @@ namespace raceway::results {
 /// numbered from the tool side.
 [[nodiscard]] std::string bearing_place(const bearing::Arrangement& arrangement, std::size_t i);
 
-/// Column of displacement_text(). `name` ends with the unit. `value` returns the value in this
-/// unit, or NaN without an equilibrium.
+/// Column of the CSV text from displacement_text(). `name` ends with the unit. `value` returns the
+/// value in this unit, or NaN without an equilibrium.
 struct DisplacementColumn {
   std::string name;
   std::function<double(const shaft::ShaftPrediction&)> value;

@@ -11,8 +11,8 @@
 
 namespace raceway::results {
 
-/// Law for the gain K(P) and the time constant T(P) of a delay element. For load steps, P is the
-/// load, otherwise the power loss of the bearings.
+/// Law for the gain K(P) and the time constant T(P) of a delay element. P is the load for load
+/// steps, and the power loss of the bearings for speed steps.
 enum class StepLaw {
   curve,  ///< smooth curves through K and T of all steps, with K(0) = 0
   power,  ///< K = a P^b, T = c P^d, with fitted a, b, c and d
@@ -30,7 +30,8 @@ struct StepCorrectionParts {
   std::string name = {};  ///< name of the model
   /// Power losses of the bearings, in ascending order of speed.
   std::vector<PowerAtSpeed> power = {};
-  /// Law of the displacement that follows the speed without delay; empty if there is no such law.
+  /// Law of the displacement that follows the speed without delay; empty for a correction without
+  /// this law.
   std::optional<shaft::KinematicLaw> kinematic = {};
   StepLaw law = StepLaw::curve;
   bool two_lags = false;  ///< true: a fast and a slow delay element; false: one element
@@ -76,7 +77,7 @@ struct StepCorrection {
                                              const std::string& path);
 
 /// Returns the paths of all tables that step_correction() may return for the model file `path` and
-/// these load channels.
+/// a correction with the load channels `load_channels`.
 [[nodiscard]] std::vector<std::string> step_correction_tables(
     const std::string& path, const std::vector<std::string>& load_channels = {});
 

@@ -15,10 +15,10 @@ namespace raceway::results {
 /// Returns CSV with one row for each step. The fit with one lag gives the columns K_um (gain),
 /// T_min (time constant) and fit_rms_um. The fit with two lags gives K1_um and T1_min of the faster
 /// lag, K2_um and T2_min of the slower lag, and fit_rms_two_um. The other columns are speed_rpm,
-/// power_start_W, power_end_W, kinematic_um (immediate displacement), end_um, front_force_N,
-/// highest_front_force_N and status. Load steps have the additional columns axial_load_N and
-/// radial_load_N. Imported step responses have the additional column load_case. `model_text` is the
-/// text of the model file; it may be empty.
+/// power_start_W, power_end_W, kinematic_um (immediate displacement), end_um (displacement at the
+/// end of the step minus kinematic_um), front_force_N, highest_front_force_N and status. Load steps
+/// have the additional columns axial_load_N and radial_load_N. Imported step responses have the
+/// additional column load_case. `model_text` is the text of the model file; it may be empty.
 [[nodiscard]] std::string step_responses_text(const spindle::StepResponses& responses,
                                               std::string_view source, std::string_view model_text);
 

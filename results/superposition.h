@@ -11,8 +11,8 @@
 
 namespace raceway::results {
 
-/// Comparison of a correction with the simulation of the spindle. The correction was made from step
-/// responses of the simulated spindle.
+/// Comparison of the displacements from a correction and from the simulation of the spindle. The
+/// correction was made from step responses of the simulated spindle.
 struct Superposition {
   std::size_t rows = 0;
   double rms = unset;                      ///< RMS of correction minus simulation [m]
@@ -25,11 +25,11 @@ struct Superposition {
 };
 
 /// Computes correction and simulation for `programme`, a record with time, speed and optional axial
-/// and radial loads. A load without a column is zero. `inputs` contains all other inputs of the
-/// simulation. Correction and simulation start at rest, at ambient temperature. If the simulation
-/// does not converge, only `report` of the result is valid. Throws std::invalid_argument if the
-/// model is not a spindle, or if the record lacks time or speed. Throws fit::Cancelled if
-/// `cancelled` is set during the calculation.
+/// and radial loads. A load without a column in `programme` is zero. All inputs of the simulation
+/// except speed and these loads come from `inputs`. Correction and simulation start at rest, at
+/// ambient temperature. If the simulation does not converge, only `report` of the result is valid.
+/// Throws std::invalid_argument if the model is not a spindle, or if `programme` lacks time or
+/// speed. Throws fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] Superposition superposition(const model::Model& model,
                                           const correction::Model& correction,
                                           const record::Record& programme,

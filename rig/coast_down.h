@@ -8,8 +8,8 @@
 
 namespace raceway::rig {
 
-/// Options for dividing a coast-down into windows. Each window gives one row. The defaults are
-/// suitable for records with a few hundred to a million samples.
+/// Options for dividing a coast-down into windows. Each window gives one row of the result. The
+/// defaults are suitable for records with a few hundred to a million samples.
 struct CoastDownOptions {
   /// Number of windows into which a run is divided, >= 1. The actual number is larger if
   /// `largest_fall` makes the windows shorter, and smaller if `fewest_samples` makes the windows
@@ -69,16 +69,17 @@ struct CoastDownTorque {
 /// records are first averaged in blocks, so that a window contains at most 32 blocks.
 ///
 /// The line number of a row is the line number of the sample in the middle of its window. The notes
-/// state how many samples were excluded or averaged, and where the first of these samples are.
+/// state how many samples were excluded or averaged, and give the lines of the first of these
+/// samples.
 /// Domain:   constant inertia, no drive. The function excludes samples before the drive is
 ///           released, and samples at standstill or below Rig::minimum_speed. The function also
 ///           excludes windows in which the speed does not fall, and runs with fewer than
 ///           `fewest_samples` samples. If the shaft is driven up again within a run, the function
 ///           uses each coast-down in the run. Samples with the same time are averaged. Throws
 ///           std::invalid_argument if the inertia is missing or not positive, for invalid options,
-///           and for a time or speed that is not finite. The function throws the same exception if
-///           no run gives a torque, and if the time decreases within a run. The message then gives
-///           the line of the decrease.
+///           and for a time or speed that is not finite. Also throws std::invalid_argument if no
+///           run gives a torque, and if the time decreases within a run. For a decreasing time, the
+///           message gives the line.
 [[nodiscard]] CoastDownTorque coast_down_torque(const record::Record& coast_down,
                                                 const model::Rig& rig,
                                                 const CoastDownOptions& options = {});

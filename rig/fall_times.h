@@ -41,17 +41,17 @@ struct Fall {
 /// through the row and two neighbours: the nearest fall at lower speed and the nearest fall at
 /// higher speed. A neighbour belongs to the same run as the row and has the same inputs except the
 /// speed. The mean speed of a neighbour lies outside the speed range of the row. The fastest and
-/// the slowest fall of a run have neighbours on one side only; for these falls, the two nearest
-/// ones are used. p and p'/p are limited to the range from -4 to 4. If there is only one neighbour,
-/// p' is 0. If there is none, p' is 0 and p is 2/3, as for the viscous moment of the Palmgren law.
-/// ω_e is correct to second order in s for every smooth law.
+/// the slowest fall of a run have neighbours on one side only; for these two falls, the function
+/// uses the two nearest falls on that side. p and p'/p are limited to the range from -4 to 4. With
+/// only one neighbour, p' is 0. Without neighbours, p' is 0 and p is 2/3, as for the viscous moment
+/// of the Palmgren law. ω_e is correct to second order in s for every smooth law.
 ///
 /// `falls` has one entry for each row of `record`. `record` contains the runs and all inputs except
-/// the speed. The result is `record` with the speed ω_e and the torque M. If every fall has a
-/// standard deviation σ_t of its time t, the torque M has the standard deviation M σ_t/t. Throws
-/// std::invalid_argument if the inertia is missing or not positive, if `falls` and `record` differ
-/// in length, and for a fall that does not satisfy from > to > 0 and time > 0. The message gives
-/// the line of this fall.
+/// the speed. The result is a copy of `record` with the speed ω_e and the torque M of each row. If
+/// every fall has a standard deviation σ_t of its time t, the torque M has the standard deviation M
+/// σ_t/t. Throws std::invalid_argument if the inertia is missing or not positive, if `falls` and
+/// `record` differ in length, and for a fall that does not satisfy from > to > 0 and time > 0. The
+/// message gives the line of this fall.
 [[nodiscard]] record::Record fall_torque(const record::Record& record, std::span<const Fall> falls,
                                          const model::Rig& rig);
 

@@ -31,8 +31,8 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
   /// Returns speed, load and viscosity in each row. The load is the resultant of axial and radial
-  /// load. To test whether an effect depends on these quantities in another way, the program
-  /// multiplies the formula of the effect by a power of one of them.
+  /// load. To test whether the formula of an effect depends correctly on one of these quantities,
+  /// the program multiplies the formula by a power of this quantity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns inputs and unit of the power law that the program fits to the misfit if no effect
   /// explains the misfit. The power law gives the friction moment of one bearing. Users can add the
@@ -44,9 +44,9 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
   /// Returns a description of the data that are missing for a test of the effect or parameter `id`.
   /// The text is empty if no data are missing. For effects, the conditions are the same as in
-  /// ModelSubject::lacks(). Two parameters of the contact law have other conditions: mu_boundary
-  /// needs rows with a film ratio below 2. limiting_traction needs rows with a contact pressure of
-  /// 1.5 GPa or more.
+  /// ModelSubject::lacks(). Two parameters of the contact law have their own conditions:
+  /// mu_boundary needs rows with a film ratio below 2, and limiting_traction needs rows with a
+  /// contact pressure of 1.5 GPa or more.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   /// Returns descriptions of measurements that would distinguish the rival explanations, such as a
   /// new measurement of the oil viscosity.

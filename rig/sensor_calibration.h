@@ -40,9 +40,9 @@ struct LackOfFit {
   double repeatability = unset;
 };
 
-/// Hysteresis of the sensor: mean signal at falling torque minus mean signal at rising torque. This
-/// difference is taken at each torque that was read in both directions, without the ends of the
-/// range. Student's t test checks whether the mean of the differences is zero.
+/// Hysteresis of the sensor: mean signal at falling torque minus mean signal at rising torque. The
+/// difference is taken at each torque that was read in both directions, except at the ends of the
+/// torque range. Student's t test checks whether the mean of the differences is zero.
 struct Hysteresis {
   int torques = 0;            ///< number of torques at which the difference is taken
   double mean = unset;        ///< mean difference [V]; NaN if `torques` is 0
@@ -71,8 +71,8 @@ struct SensorCalibration {
   /// p-value of a test for equal scatter at every torque [Koenker1981] [1]. NaN for fewer than 10
   /// readings, or if the readings do not scatter about the curve.
   double even_scatter_p_value = unset;
-  /// Scatter in the lower and upper half of the range of the torque magnitude |M| [V]; NaN in the
-  /// same cases as even_scatter_p_value.
+  /// Scatter of the readings about the curve in the lower and upper half of the range of the torque
+  /// magnitude |M| [V]. NaN for fewer than 10 readings, or if the readings do not scatter.
   double scatter_low = unset, scatter_high = unset;
   std::vector<record::Note> notes{}, warnings{};
 

@@ -43,7 +43,7 @@ struct TorqueSensor {
 [[nodiscard]] std::optional<double> turning_torque(const Eigen::VectorXd& coefficients,
                                                    double lowest, double highest);
 
-/// Returns the signal V(M) at a torque [V]. TorqueSensor::zero is not used here.
+/// Returns the signal V(M) at a torque [V]. Ignores TorqueSensor::zero.
 [[nodiscard]] double signal_at(const TorqueSensor& sensor, double torque);
 
 /// Returns true if both sensors convert every signal to the same torque.

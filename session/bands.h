@@ -24,8 +24,8 @@ namespace raceway::session {
 /// Returns one sentence that names the fitted parameters whose uncertainty gives the band.
 [[nodiscard]] std::string band_statement(const model::Band& band);
 
-/// Returns the names of the columns that a table with a band has after the columns of
-/// table_columns().
+/// Returns the names of the columns for the band. A table with a band contains these columns after
+/// the columns of table_columns().
 [[nodiscard]] std::vector<std::string> band_columns(const model::Model& model);
 
 /// Computes the columns of band_columns() at the given operating points, and writes them into `out`

@@ -15,10 +15,11 @@ struct FoundEffects {
   std::vector<effects::Description> effects{};
   /// Matching effects that a correction can contain.
   std::vector<correction::EffectCard> of_records{};
-  /// False if the user asked for the id of one effect. `effects` then contains the forms of this
-  /// effect for rig, shaft and spindle.
+  /// False if the search text is the id of an effect, or if `effects` contains the only match.
+  /// `effects` then contains the forms of this effect for rig, shaft and spindle.
   bool is_list = true;
-  /// Message if the id denotes an uncertain value of the model (model::own_data()), not an effect.
+  /// Message if the search text names an uncertain value of the model (model::own_data()) instead
+  /// of an effect; otherwise empty.
   std::string own_datum{};
 
   /// Throws text::InputError with the message `own_datum` if this message is not empty.

@@ -15,14 +15,15 @@ namespace raceway::session {
 [[nodiscard]] std::string judgement(const friction::contact::ContactResult& result);
 
 /// Compares the torque of the contact law with the torque of the same bearing with steel balls at
-/// the same operating point, and names the contact loads and elastic moduli that cause the
-/// difference. The text is empty for steel balls, for other friction laws, for shafts, and at
-/// operating points without equilibrium.
+/// the same operating point, and gives the values that cause the difference: centrifugal force,
+/// load at the outer race, and elastic modulus. The text is empty for steel balls, for other
+/// friction laws, for shafts, and at operating points without equilibrium.
 [[nodiscard]] std::string balls_statement(const model::Model& model,
                                           const bearing::OperatingPoint& point);
 
 /// Returns notes on a bearing in equilibrium, one line each: a load at which balls may skid, a
-/// gyroscopic moment that friction cannot balance, and a rating life that ISO 281 does not cover.
+/// gyroscopic moment that friction cannot balance, and a modified rating life that is not
+/// calculated, because ISO 281 has no a_ISO for the ball material.
 [[nodiscard]] std::vector<std::string> notes_on_state(const model::Model& model,
                                                       const bearing::Bearing& bearing,
                                                       const bearing::OperatingPoint& point,

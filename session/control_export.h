@@ -10,8 +10,7 @@
 
 namespace raceway::session {
 
-/// Corrections that were exported as a program, which runs without raceway, or as a table of
-/// coefficients.
+/// Exported corrections: a program that runs without raceway, or a table of coefficients.
 struct ControlExport {
   control::ControlPlan plan{};  ///< exported corrections, and notes for the user
   std::string text{};

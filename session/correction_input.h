@@ -52,10 +52,10 @@ struct SeriesQuestion {
 /// predicts.
 void require_readings(const correction::Model& model, const record::Record& record);
 
-/// Checks a record before a model is fitted to it. Warns of sensors whose readings are stuck, jump
-/// or do not vary. The warnings are also in the notes of the record and in the JSON results. Throws
-/// text::InputError if an input, such as the heating power, has a value at which the time constant
-/// of a lag is not positive.
+/// Checks a record before a model is fitted to it. Warns of input sensors whose readings jump, or
+/// do not vary in a part of the record or in the whole record. The warnings are also in the notes
+/// of the record and in the JSON results. Throws text::InputError if an input, such as the heating
+/// power, has a value at which the time constant of a lag is not positive.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record);
 

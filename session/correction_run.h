@@ -39,7 +39,7 @@ struct LearningChoices {
   void check() const;
 };
 
-/// Results of all corrections of a file that learn from the readings of a record.
+/// Results of learning: the readings of a record adapt the parameters of all corrections of a file.
 struct LearningRun {
   SeriesQuestion asked{};
   std::vector<results::Learnt> learnt{};  ///< one result for each displacement
@@ -52,8 +52,8 @@ struct LearningRun {
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs the corrections. Adapts the gains and the offset of each displacement to the readings.
-/// Throws text::InputError if the record is not suitable.
+/// Runs all corrections of the file. Adapts the gains and the offset of each correction to the
+/// readings of the record. Throws text::InputError if the record is not suitable.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

@@ -27,20 +27,21 @@ struct IdentifyChoices {
   /// Time constants of the lags [s], the same for all channels. With "auto", the program chooses
   /// the time constants. If the list is empty, the time constants are fitted.
   std::vector<std::string> lags{};
-  /// Type of model that is fitted for comparison: "regression", "arx" or empty.
+  /// Type of simple model that is fitted instead of the identified model, as a baseline for
+  /// comparison: "regression", "arx" or empty.
   std::string baseline{};
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};
 
-  /// Checks the options before any file is read. Throws text::InputError for an invalid order or
-  /// invalid lags.
+  /// Checks `order` and `lags`. Call this function before you read a file. Throws text::InputError
+  /// for an invalid order or invalid lags.
   void check() const;
 };
 
 /// Corrections identified from one record, one for each displacement of the model file.
 struct Identified {
   SeriesQuestion asked{};
-  std::string baseline{};  ///< type of model that was fitted for comparison: "regression" or empty
+  std::string baseline{};  ///< IdentifyChoices::baseline: "regression" or empty
   std::vector<correction::Identification> found{};
   /// Errors of the models on a record that no fit has used (validate()), and warnings about this
   /// record. Both lists are empty until validate() is called.

@@ -18,8 +18,8 @@
 /// range of a bearing.
 namespace raceway::session {
 
-/// Compares a shaft or spindle as mounted, at standstill, with the limits. The function checks the
-/// contact pressure from the preload, and the interferences in [seat].
+/// Compares the contact pressure from the preload and the interferences in [seat] with the limits,
+/// for a mounted shaft or spindle at standstill.
 [[nodiscard]] model::Findings judge_mounted(const files::ModelFile& file);
 
 /// Checks the interference of the inner rings of a spindle. Returns a note if the interference in
@@ -66,20 +66,20 @@ class JudgedColumns {
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const results::SteadyState> states);
 
-/// Compares a spindle over a speed programme with the limits. The contact pressure of each bearing
-/// is calculated at the time of the largest force on this bearing.
+/// Compares the results of a spindle over a speed programme with the limits. The contact pressure
+/// of each bearing is calculated at the time of the largest force on this bearing.
 [[nodiscard]] model::Findings judge(const model::Model& model,
                                     std::span<const spindle::ProfileRow> profile,
                                     const spindle::Run& run);
 
-/// Compares a bent shaft with the limits. Throws text::InputError if the slope of the bending line
-/// is too large for beam theory.
+/// Compares the bearing loads and the nose slope of a bent shaft with the limits. Throws
+/// text::InputError if the nose slope is too large for beam theory.
 [[nodiscard]] model::Findings judge(const model::Model& model, const bearing::Arrangement& mounted,
                                     const results::DeflectionResult& result, Wording wording);
 
 /// Returns a note which says that the program uses the value at the edge of the friction table for
-/// all operating points outside the table. Commands that do not count such points print this note.
-/// The result is empty if the model has no friction table.
+/// all operating points outside the table. Commands that do not count the points outside the table
+/// print this note. The result is empty if the model has no friction table.
 [[nodiscard]] std::vector<record::Note> states_not_counted(const model::Model& model);
 
 /// Compares speeds [rad/s] with the limits of the bearings.

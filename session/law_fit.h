@@ -11,8 +11,8 @@
 
 namespace raceway::session {
 
-/// Law of the kinematic displacement, which follows the speed without delay, fitted to a measured
-/// curve of displacement over speed.
+/// Law that is fitted to a measured curve of displacement over speed. The law describes the
+/// kinematic displacement, which follows the speed without delay.
 struct LawFit {
   files::DisplacementCurve curve{};
   shaft::KinematicLawFit fit{};

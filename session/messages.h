@@ -8,7 +8,8 @@
 namespace raceway::session {
 
 /// Receives the notes and warnings of a calculation. The command-line program prints these messages
-/// on stderr. The Python package stores notes in the result and issues warnings.
+/// on stderr. The Python package stores the notes in the result and issues the warnings as Python
+/// warnings.
 class Messages {
  public:
   virtual ~Messages() = default;

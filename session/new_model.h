@@ -26,15 +26,16 @@ struct NewModel {
 };
 
 /// Returns a model file with comments and with the default values of the friction law. Throws
-/// text::InputError if the bearing is not in the catalogue and NewModel::outline does not describe
-/// the bearing. Also throws text::InputError if the bearing does not allow an option, for example a
-/// spindle with roller bearings, or dimensions for a bearing in the catalogue.
+/// text::InputError if the bearing is not in the catalogue and neither NewModel::bearing nor
+/// NewModel::outline gives the dimensions. Also throws text::InputError if the bearing does not
+/// allow an option, for example a spindle with roller bearings, or dimensions for a bearing in the
+/// catalogue.
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
-/// Returns a correction model with comments for the displacements of a time record. The model has a
-/// channel for each temperature: see files/new_correction.h. Implausible readings in the record
-/// give warnings. Throws text::InputError for a record that cannot be read or that has no
-/// displacement.
+/// Returns the text of a correction model, with comments, for the displacements of a time record.
+/// The model has a channel for each temperature: see files/new_correction.h. Implausible readings
+/// in the record give warnings. Throws text::InputError for a record that cannot be read or that
+/// has no displacement.
 [[nodiscard]] std::string new_correction_text(Messages& messages, const Source& data,
                                               const Reading& reading);
 

@@ -17,7 +17,7 @@ namespace raceway::session {
 enum class Accepts { rig, rig_or_shaft, shaft };
 
 /// Treatment of default values in a model. `count` adds a note with the number of default values.
-/// `keep` adds no note; use it if the command lists the default values or opens the model again.
+/// `keep` adds no note, for commands that list the default values or open the model again.
 enum class Defaults { count, keep };
 
 /// Sends notes about a file to `messages`. Each note begins with `source`, the name of the file.

@@ -14,7 +14,7 @@ struct Reading {
   std::string columns{};       ///< file with a column map; empty: the column map of the model
   std::string columns_text{};  ///< column map as text; replaces the file `columns`
   bool drop_nan = false;       ///< true: rows with an empty cell are left out
-  std::vector<std::string> beside{};  ///< further files with columns of the same time record
+  std::vector<std::string> beside{};  ///< files with further columns of the time record
   Period period{};                    ///< period of readings; only for time records
   bool one_by_one = false;  ///< true: readings arrive one by one; later readings are unknown
 

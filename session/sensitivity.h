@@ -65,16 +65,17 @@ struct SensitivityQuestion {
 /// integer.
 ///
 /// The calculation uses all cores. The results do not depend on the number of cores or on the order
-/// of the points. Throws text::InputError for an unknown prediction, an unknown datum, or a value
-/// outside its range. Throws fit::Cancelled if `cancelled` is set during the calculation.
+/// of the operating points. Throws text::InputError for an unknown prediction, an unknown datum, or
+/// a value outside its range. Throws fit::Cancelled if `cancelled` is set during the calculation.
 [[nodiscard]] results::Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
                                                const SensitivityQuestion& question);
 
 /// Returns one operating point as text, such as "speed_rpm 6000, axial_load_N 300".
 [[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
-/// Returns a warning for each prediction that has no value for the data of the model. One more
-/// warning is returned if some of the random samples for the Sobol' indices have no prediction.
+/// Returns a warning for each prediction that has no value at an operating point with the unchanged
+/// data of the model. One more warning is returned if some of the random samples for the Sobol'
+/// indices have no prediction.
 [[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

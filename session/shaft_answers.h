@@ -12,8 +12,9 @@ namespace raceway::session {
 
 /// Returns warnings if balls of a bearing on the shaft lose contact with the inner ring, or if the
 /// load of a bearing is below its minimum load against skidding. Each warning gives the speed range
-/// of the condition. The function finds the limits of this range by further calculations between
-/// the given points, with an accuracy of half an rpm. `points` must be in order of rising speed.
+/// in which the load is too low. The function finds the limits of this range by further
+/// calculations between the given points, with an accuracy of half an rpm. `points` must be in
+/// order of rising speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);

@@ -46,7 +46,8 @@ class ShaftCurve {
   /// Returns true if every speed has a position and a torque.
   [[nodiscard]] bool converged() const;
   /// Returns a warning or a note for each exceeded limit, with the speed at which the limit is
-  /// exceeded most. Other warnings name unloaded bearings, and speeds without a result.
+  /// exceeded most. Further warnings name bearings with too little load, and give the number of
+  /// speeds without a result and the first of these speeds.
   [[nodiscard]] std::vector<record::Note> warnings() const;
 
   [[nodiscard]] std::string json() const;

@@ -29,8 +29,7 @@ struct PointAnswer {
   /// Half widths of the 95 % confidence band, if the caller requests it.
   std::optional<results::BandOfResult> band{};
   model::Findings findings{};  ///< limits that the results exceed
-  /// Text with the operating point and the reason why it has not converged; empty if it has
-  /// converged.
+  /// Operating point and the reason why it has not converged. Valid only if converged() is false.
   std::string why{};
 
   [[nodiscard]] bool converged() const { return status == bearing::SolveStatus::converged; }
@@ -41,14 +40,14 @@ struct PointAnswer {
                                       const bearing::OperatingPoint& point,
                                       const std::optional<model::Band>& band = {});
 
-/// Writes an answer as a JSON document.
+/// Returns the results as a JSON document.
 [[nodiscard]] std::string point_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const PointAnswer& answer);
 
 /// Returns notes on exceeded limits, and on loads and contacts of the bearings, at one operating
-/// point. Three kinds of note are warnings: a finding with `is_warning`, an unloaded bearing of a
-/// shaft, and a contact ellipse that extends over a shoulder.
+/// point. Three kinds of note are warnings: a finding with `is_warning`, a bearing of a shaft with
+/// too little load, and a contact ellipse that extends over a shoulder.
 [[nodiscard]] std::vector<record::Note> notes_on_point(const model::Model& model,
                                                        const bearing::OperatingPoint& point,
                                                        const PointAnswer& answer);

@@ -88,9 +88,9 @@ struct PredictedStates {
 };
 
 /// Predicts the readings of a rig at many states. The arguments are as in solve_states(). The
-/// function solves the equilibrium of the balls only if the model needs it. Also throws
-/// text::InputError for a shaft, and if an effect needs an input that is not in StateArrays, such
-/// as a time or a ring temperature.
+/// function solves the equilibrium of the balls only if the friction law or an effect needs this
+/// equilibrium. Also throws text::InputError for a shaft, and if an effect needs an input that is
+/// not in StateArrays, such as a time or a ring temperature.
 [[nodiscard]] PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                              const StateArrays& states);
 

@@ -41,7 +41,7 @@ struct SpindleRun {
   results::MeshEstimate mesh{};
   /// Most influential assumed values of the model, at the steady state of the highest speed.
   results::Assumptions assumptions{};
-  std::vector<spindle::FieldCell> field{};  ///< temperature of each cell at the end
+  std::vector<spindle::FieldCell> field{};  ///< temperature of each cell at the end of the run
   model::Findings findings{};
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
@@ -65,7 +65,7 @@ struct SpindleRun {
 ///   - The model is not a spindle.
 ///   - The programme has no time or no speed, or contains several runs.
 ///   - The programme begins before 0 s, and no initial state is given.
-///   - The initial state belongs to another spindle or another mesh.
+///   - The initial state does not belong to the spindle and mesh of the model.
 [[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                                           const RunQuestion& question);
 

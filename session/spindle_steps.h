@@ -101,10 +101,10 @@ struct StepCorrectionQuestion {
 /// StepQuestion.
 [[nodiscard]] std::vector<std::string> load_channels(const StepQuestion& question);
 
-/// Compares a correction from step responses with the full simulation of the spindle. `programme`
-/// is a record with the speeds and loads over time. `steps` must contain a model file. Throws
-/// std::invalid_argument if the model is not a spindle, and the exceptions of
-/// results::superposition().
+/// Compares the displacements from a correction, which was made from step responses, with a full
+/// simulation of the spindle. `programme` is a record with the speeds and loads over time. `steps`
+/// must contain a model file. Throws std::invalid_argument if the model is not a spindle, and the
+/// exceptions of results::superposition().
 [[nodiscard]] results::Superposition superposition_of_steps(
     Messages& messages, const SpindleSteps& steps, const correction::Model& correction,
     const Source& programme, const std::atomic<bool>* cancelled = nullptr);

@@ -25,8 +25,8 @@ void fill_table_line(const model::Model& model, std::span<const bearing::Operati
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
 /// fill_state() writes the columns for one operating point of a bearing into `out`.
-/// fill_shaft_state() does this for a shaft. The values come from `prediction`, which is already
-/// computed.
+/// fill_shaft_state() writes the columns for a shaft. The values come from `prediction`, which is
+/// already computed.
 void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
                 const model::FrictionPrediction& prediction, friction::TablePoint& out);
 void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,

@@ -47,9 +47,9 @@ struct TableAnswer {
   /// modelica.
   [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
-  /// Returns the notes in `findings`, and a comparison of ceramic with steel balls
-  /// (balls_statement()). The operating point of the comparison has the highest speed, the first
-  /// loads and the first temperature of the axes.
+  /// Returns the notes in `findings`, and a comparison of the torques with ceramic and with steel
+  /// balls (balls_statement()). The operating point of the comparison has the highest speed, the
+  /// first loads and the first temperature of the axes.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
   /// Returns warnings about exceeded limits.
   [[nodiscard]] std::vector<record::Note> warnings() const {

@@ -18,8 +18,8 @@ struct Tolerance {
   /// Copies the tolerances into the model. Each tolerance applies to the measured channels with the
   /// same unit. Throws text::InputError in these cases:
   ///   - A number has no unit or is not above 0, or two numbers have the same unit.
-  ///   - The model predicts no measured channel in this unit.
-  ///   - The model file already gives a tolerance for this channel.
+  ///   - A number has a unit in which the model predicts no measured channel.
+  ///   - The model file already gives a tolerance for a channel with the unit of a number.
   void set(files::ModelFile& file) const;
   void set(correction::Model& model, const std::string& source) const;
 

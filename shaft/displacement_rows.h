@@ -18,9 +18,9 @@ class DisplacementRows {
   DisplacementRows(const Model& model, const record::Record& record);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  /// Writes the displacement at every row to `readings` [m], like predict_displacement(). `model`
-  /// must have the same effects and temperatures as the model in the constructor; other parameters
-  /// may differ.
+  /// Writes the displacement at every row to `readings` [m]: the values that predict_displacement()
+  /// returns for `model`. `model` must have the same effects and temperatures as the model in the
+  /// constructor; other parameters may differ.
   void predict(const Model& model, std::span<double> readings);
 
  private:

@@ -103,9 +103,9 @@ struct KinematicLawFit {
 [[nodiscard]] KinematicLawFit fit_kinematic_law(std::span<const DisplacementPoint> curve,
                                                 const KinematicLawBounds& bounds = {});
 
-/// Fits the kinematic law from one start value of B and C, and returns the local minimum of the
-/// misfit that this iteration reaches. Use this function to check that fit_kinematic_law() returns
-/// the lowest minimum.
+/// Fits the kinematic law with one solver run from the values B and C of `start`, and returns the
+/// local minimum of the misfit that the solver reaches. Use this function to check that
+/// fit_kinematic_law() returns the lowest minimum.
 [[nodiscard]] KinematicLawFit refine_kinematic_law(std::span<const DisplacementPoint> curve,
                                                    const KinematicLaw& start,
                                                    const KinematicLawBounds& bounds = {});

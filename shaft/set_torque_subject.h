@@ -17,14 +17,14 @@ class SetTorqueSubject final : public ShaftSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// Returns the inputs of the saturated regression, which has so many terms that its residuals are
-  /// noise (fit::Saturation). The load input is the ratio of external load to preload.
+  /// Returns the saturated regression, which has so many terms that its residuals are noise
+  /// (fit::Saturation). The load in this regression is the ratio of external load to preload.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   [[nodiscard]] std::vector<const record::Channel*> scattering(
       const fit::Record& record) const override;
-  /// Returns speed, load and viscosity in each row. The program multiplies the formula of an effect
-  /// by a power of such a quantity, to test if the real effect depends differently on the quantity.
-  /// The load is sqrt(preload² + external load²).
+  /// Returns speed, load and viscosity in each row. To test whether the formula of an effect
+  /// depends correctly on one of these quantities, the program multiplies the formula by a power of
+  /// this quantity. The load is sqrt(preload² + external load²).
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns an empty text, because files::doubts() already checks the unit of the torque.
   [[nodiscard]] std::string doubt(const fit::Record& record,

@@ -35,8 +35,9 @@ class ShaftBalance {
   explicit ShaftBalance(double preload = unset) : preload_(preload) {}
 
   /// Mounts the sets with the parameter values of `model`, unless the sets are already mounted with
-  /// these values. Returns false if the sets cannot be mounted. This is the case if balls and
-  /// interference fit leave no free contact angle in a bearing, or if Arrangement rejects a value.
+  /// these values. Returns false if the sets cannot be mounted: the effects make a bearing
+  /// impossible (for example, an interference fit reduces the free contact angle to zero), or
+  /// Arrangement rejects a value.
   bool mount(const Model& model, const Steps& steps);
   /// Returns a number that changes whenever mount() changes the mounted sets.
   [[nodiscard]] int version() const { return version_; }
@@ -71,8 +72,8 @@ class ShaftBalance {
 /// Returns the temperatures of the sets of a shaft. Measured ring temperatures replace the ring
 /// temperatures of the model. If a ring temperature is measured, a missing shaft temperature is the
 /// temperature of the inner ring, and a missing housing temperature is the temperature of the outer
-/// ring. Other missing temperatures of rings, shaft and housing are the mounting temperature. The
-/// result is empty if neither measurement nor model gives a temperature.
+/// ring. All other missing temperatures of rings, shaft and housing equal the mounting temperature.
+/// The result is empty if neither measurement nor model gives a temperature.
 [[nodiscard]] std::optional<bearing::SetTemperatures> set_temperatures(const Shaft& shaft,
                                                                        double inner_ring = unset,
                                                                        double outer_ring = unset);

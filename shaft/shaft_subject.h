@@ -21,16 +21,16 @@ class ShaftSubject : public model::ModelSubject {
   /// (fit::Saturation). Each level of speed, axial load and preload adds a term to the regression
   /// of fit::Judged::saturation().
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
-  /// Returns speed, preload and viscosity in each row. To test a modified law of an effect, the
-  /// program multiplies the law by a power of one of these quantities. A preload that is not
-  /// recorded is 0 here.
+  /// Returns speed, preload and viscosity in each row. To test whether the law of an effect depends
+  /// correctly on one of these quantities, the program multiplies the law by a power of this
+  /// quantity. A preload that is not recorded is 0 here.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// Returns a message if the readings are nearly proportional to the prediction, but have the
   /// opposite sign or differ by a factor above 200 or below 1/200. Otherwise, the text is empty.
   [[nodiscard]] std::string doubt(const fit::Record& record,
                                   std::span<const double> predicted) const override;
   /// Returns the inputs for the next measurements, each with the levels to measure. If the preload
-  /// does not vary in the record, its levels are one, a half and two times this preload.
+  /// does not vary in the record, its levels are the present preload, half of it and twice as much.
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
   /// Returns descriptions of measurements that would distinguish the rival explanations. For

@@ -19,9 +19,10 @@ class TorqueRows {
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Returns the calculation steps of the model, including effects on the torque reading.
   [[nodiscard]] const Steps& steps() const { return steps_; }
-  /// Writes the torque at every row to `readings` [N m], like predict_torque(). `model` must have
-  /// the same effects and temperatures as the model that was passed to the constructor. `from` is
-  /// the first calculation stage whose parameters have changed since the previous call.
+  /// Writes the torque at every row to `readings` [N m]: the values that predict_torque() returns
+  /// for `model`. `model` must have the same effects and temperatures as the model that was passed
+  /// to the constructor. `from` is the first calculation stage whose parameters have changed since
+  /// the previous call.
   void predict(const Model& model, std::span<double> readings,
                model::Stage from = model::Stage::entry);
 

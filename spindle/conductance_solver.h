@@ -21,8 +21,9 @@ namespace raceway::spindle {
 /// Accuracy: rounding errors only; the matrix is diagonally dominant.
 class ConductanceSolver {
  public:
-  /// Finds the order of elimination for the bodies and heat paths in `paths`. Later calls of
-  /// factorise() may have other conductances, but must have the same bodies and heat paths.
+  /// Finds the order of elimination for the bodies and heat paths in `paths`. In later calls of
+  /// factorise(), the conductances may differ from `paths`, but the bodies and heat paths must be
+  /// the same.
   explicit ConductanceSolver(const HeatPaths& paths);
   /// Factorises A. Returns false if A is not positive definite. This is the case if a body has
   /// neither heat capacity nor a path by which heat can leave, or if a value is not finite.

@@ -38,8 +38,8 @@ struct RoughContact {
 ///
 /// RoughContact defines λ1, λ2, m, Ra and H. p is the pressure.
 /// Source:   Yovanovich's fit to Cooper, Mikic and Yovanovich (Int J Heat Mass Transfer 12, 1969,
-///           p. 279), whose own formula has the factor 1.45 and the exponent 0.985. This formula
-///           uses Ra in place of the rms roughness.
+///           p. 279). The formula in the 1969 paper has the factor 1.45 and the exponent 0.985.
+///           yovanovich_contact() uses Ra in place of the rms roughness.
 /// Domain:   p/H below about 0.02; the result is zero for a pressure p <= 0.
 [[nodiscard]] inline double yovanovich_contact(const RoughContact& c, double pressure) {
   if (!(pressure > 0.0)) return 0.0;

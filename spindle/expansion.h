@@ -18,11 +18,12 @@ struct HeatedLength {
 /// Returns the free thermal elongation, the sum of α ΔT times length over all `lengths` [m].
 [[nodiscard]] double free_elongation(std::span<const HeatedLength> lengths);
 
-/// Computes the axial displacements of the section ends, `nodes`, in a bar that is fixed at its
-/// left end [m]. Thermal expansion is replaced by forces E A α ΔT, which pull at both ends of each
-/// section. E, A, α and ΔT are the elastic modulus, area, thermal expansion coefficient and
-/// temperature rise of the section. `nodes` has one element more than `lengths`. The last element
-/// is the free elongation, which does not depend on the stiffness.
+/// Computes the axial displacements of the section ends in a bar that is fixed at the start of its
+/// first section, and writes them to `nodes` [m]. The function replaces the thermal expansion by
+/// forces E A α ΔT that pull at both ends of each section. E, A, α and ΔT are the elastic modulus,
+/// area, thermal expansion coefficient and temperature rise of the section. `nodes` has one element
+/// more than `lengths`. The last element is the free elongation, which does not depend on the
+/// stiffness.
 /// Source: [Brecher2021, 3.1].
 void displace_by_substitute_forces(std::span<const HeatedLength> lengths, std::span<double> nodes);
 

@@ -14,7 +14,8 @@ namespace raceway::spindle {
 /// the mounting temperature. The mean of α ΔT over a cross-section is weighted by the elastic
 /// modulus times the area, because plane sections remain plane. The result has `nodes` elements.
 /// Domain: both positions are grid lines of the mesh. Cells outside the body or outside the two
-///         positions have the weight 0. If `to` < `from`, the other weights are negative.
+///         positions have the weight 0. If `to` < `from`, the weights of the cells between the two
+///         positions are negative.
 [[nodiscard]] Vector expansion_row(const Mesh& mesh, Body body, double from, double to,
                                    Eigen::Index nodes);
 

@@ -182,7 +182,8 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 ///
 /// Source:   VDI-Wärmeatlas 2002, G1 (uniform wall temperature; Gnielinski). The formula was not
 ///           checked against the printed edition. Gnielinski's older formula, which contains Re -
-///           1000, gives 23 % less at Re = 4000, 8 % less at 1e4 and nearly the same above 1e5.
+///           1000, gives a Nusselt number that is 23 % lower at Re = 4000, 8 % lower at 1e4 and
+///           nearly equal above 1e5.
 /// Domain:   Re up to 1e6, straight and smooth channel. A helical channel has a larger Nusselt
 ///           number.
 [[nodiscard]] inline double channel_nusselt(double reynolds, double prandtl,

@@ -42,11 +42,11 @@ class HeatFlow {
   /// Sets speed and loads of the bearing sets. Returns false if the sets have no equilibrium.
   [[nodiscard]] bool set_inputs(const Inputs& inputs);
   /// Advances the temperatures by dt [s]. Speed and loads in `inputs` must equal the speed and
-  /// loads of the last call of set_inputs(). `films` contains temperatures of all bodies [K]. The
-  /// heat transfer coefficients, the conductances of the ring seats, and the bearing loads due to
-  /// radial loads on the shaft are computed at the temperatures `films`. `machine_rise` is added to
-  /// the machine temperature of the inputs [K]. The temperatures change only if the status is
-  /// `converged`.
+  /// loads of the last call of set_inputs(). `films` contains temperatures of all bodies [K]. At
+  /// these temperatures, the function computes the heat transfer coefficients, the conductances of
+  /// the ring seats, and the bearing loads due to radial loads on the shaft. `machine_rise` is
+  /// added to the machine temperature of the inputs [K]. The temperatures change only if the status
+  /// is `converged`.
   [[nodiscard]] Step advance(const Inputs& inputs, double machine_rise, double dt,
                              const Vector& films, bool asks_for_error);
   /// Finds the steady state for these inputs. `iterations` receives the number of updates of heat

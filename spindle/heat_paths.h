@@ -24,9 +24,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 ///   C_i dT_i/dt = sum G_ij (T_j - T_i) + sum G_ir (T_r - T_i) + q_i
 ///
 /// T_i is the temperature of body i, C_i its heat capacity, G a thermal conductance, and q_i the
-/// heat of the sources in the body.
-/// A solver stores which paths exist: after its construction you may change conductances, but not
-/// add paths.
+/// heat of the sources in the body. A solver stores which paths exist. After the construction of a
+/// solver, you may change conductances, but not add paths.
 struct HeatPaths {
   struct Link {
     int first, second;

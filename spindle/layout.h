@@ -80,7 +80,8 @@ struct Layout {
   }
   /// Returns the weights of the cells that a heat source between two axial positions heats. The
   /// weights are proportional to the cell volumes. If `radius` [m] is not NaN, only cells at this
-  /// radius are used. If there are no such cells, the nearest cell of the body is used.
+  /// radius are used. If no cell lies between the positions at this radius, the nearest cell of the
+  /// body is used.
   [[nodiscard]] Shares source(Body body, double from, double to, double radius = unset) const;
 };
 

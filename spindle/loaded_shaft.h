@@ -51,7 +51,7 @@ struct LoadedShaft {
   double front_force = unset, rear_force = unset;  ///< axial forces of the bearing sets [N]
   /// Deflection v and slope θ of all nodes, (v, θ), in the planes of y and z [m, rad].
   Eigen::VectorXd y, z;
-  /// Load on the inner ring of each bearing. `bearings` contains ball equilibrium, ring
+  /// Load on the inner ring of each bearing in the sets. `bearings` contains ball equilibrium, ring
   /// displacement and tangent stiffness of each bearing. The axis +x of a bearing is the direction
   /// in which the preload presses the inner ring.
   std::vector<bearing::Vector5> loads;
@@ -64,9 +64,9 @@ struct LoadedShaft {
 
 class ShaftBalance5;
 
-/// Elastic shaft on all its bearings, under loads at several positions. Use this class to solve the
-/// problem of solve_loaded_shaft() repeatedly. Each solution starts from the previous solution.
-/// Several threads must not use one object simultaneously.
+/// Elastic shaft on all its bearings, under loads at several positions. Use this class instead of
+/// solve_loaded_shaft() for many load cases of one shaft. Each solution starts from the previous
+/// solution. Several threads must not use one object simultaneously.
 class ShaftOnBearings {
  public:
   /// The positions of bearings and loads [m] must be nodes of the beam. The object does not refer

@@ -12,7 +12,7 @@ enum class Body { shaft, inner_ring, outer_ring, spacer, housing };
 /// Ring-shaped or cylindrical body of one material with a rectangular section.
 struct Region {
   Body body = Body::shaft;
-  int bearing = -1;  ///< index of the bearing, front set first; -1 for other bodies
+  int bearing = -1;  ///< index of the bearing of a ring, front set first; -1 for other bodies
   double start = unset, end = unset;  ///< distance behind the nose face [m]
   /// Inner and outer radius [m]; the inner radius of a solid cylinder is 0.
   double inner_radius = unset, outer_radius = unset;

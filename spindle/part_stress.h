@@ -17,8 +17,8 @@ struct RadialTemperature {
 struct RoundPart {
   model::SolidMaterial material = {};
   /// Temperatures at two or more ascending radii, from the bore to the outer surface. For a solid
-  /// cylinder, the first radius is 0. Between two radii, the temperature is linear in ln r. Next to
-  /// the axis of a solid cylinder, the temperature is uniform.
+  /// cylinder, the first radius is 0. Between two radii, the temperature is linear in ln r. Between
+  /// the axis of a solid cylinder and the second radius, the temperature is uniform.
   std::vector<RadialTemperature> profile = {};
   double bore_pressure = 0.0, surface_pressure = 0.0;  ///< [Pa]
   double speed = 0.0;                                  ///< [rad/s]
@@ -43,8 +43,9 @@ struct RoundPart {
 /// Source:   heat: Timoshenko and Goodier, Theory of Elasticity, 3rd ed., art. 150 to 152; fit:
 ///           Lamé's equations; rotation: the equations of a long rotating cylinder (plane strain).
 /// Domain:   sections several wall thicknesses away from ends, steps and grooves of the part.
-/// Accuracy: exact to rounding for steady radial heat flow. For other temperature profiles, the
-///           spacing of the given temperatures limits the accuracy.
+/// Accuracy: exact to rounding if the true temperature is linear in ln r between the given radii,
+///           as in steady radial heat flow. For a transient temperature, the distance between the
+///           given radii limits the accuracy.
 [[nodiscard]] std::vector<Stress> stresses_of(const RoundPart& part);
 
 }  // namespace raceway::spindle

@@ -8,7 +8,8 @@
 /// Fits gain K and time constant T of step responses as functions of the power loss P or of a load.
 namespace raceway::spindle {
 
-/// Straight line, value = slope P + offset, fitted by unweighted least squares.
+/// Straight line, value = slope P + offset, fitted by unweighted least squares. P is a power loss
+/// or a load.
 struct StraightLine {
   double slope = unset, offset = unset;
   /// Standard errors of slope and offset, from the residuals; NaN with fewer than three points.
@@ -74,8 +75,9 @@ struct PowerLaws {
 /// negative.
 [[nodiscard]] PowerLaws fit_load_laws(std::span<const LagAt> points);
 
-/// Returns a curve of the gain K through all points and through K(0) = 0. The value K(0) = 0
-/// replaces a point at zero power or load. Points with equal power or load are averaged.
+/// Returns a curve of the gain K through all points and through K(0) = 0. At zero power or load,
+/// the curve is 0 even if one of the points gives another gain there. Points with equal power or
+/// load are averaged.
 [[nodiscard]] MonotoneCurve gain_curve(std::span<const LagAt> points);
 /// Returns a curve of the time constant T through all points. `at_rest` is T at zero power or load
 /// [s]; NaN if unknown. If one of the points has zero power or load, the curve uses this point

@@ -27,7 +27,8 @@ struct RollerTemperatures {
 /// Clearance of a cylindrical roller bearing in operation.
 struct OperatingClearance {
   double clearance = unset;  ///< diametral clearance s [m]
-  /// Radial growth u_i of the inner raceway [m]. operating_clearance() states the reference.
+  /// Radial growth u_i of the inner raceway [m], relative to the state of the bearing that
+  /// operating_clearance() names.
   double inner_raceway_growth = 0.0;
   double outer_raceway_growth = 0.0;  ///< radial growth u_o of the outer raceway [m]
   PressFit inner_seat, outer_seat;    ///< `outer_seat` is valid only with a housing
@@ -54,11 +55,11 @@ struct OperatingClearance {
                                                      const RollerSeats& seats, double speed,
                                                      const RollerTemperatures& rises);
 
-/// Returns the diametral interference on the shaft that gives a wanted mounted clearance, cold and
-/// at standstill [m].
+/// Returns the diametral interference between inner ring and shaft [m] that gives the clearance
+/// `mounted_clearance` [m] after mounting. Interference and clearance are cold and at standstill.
 ///
 /// Domain:   the clearance of the bearing is given before mounting (ClearanceState::free) and is
-///           not smaller than the wanted clearance. Otherwise the function throws
+///           not smaller than `mounted_clearance`. Otherwise the function throws
 ///           std::invalid_argument. Friction and smoothing of the seat surfaces are neglected.
 [[nodiscard]] double interference_for(const bearing::RollerBearing& bearing,
                                       const RollerSeats& seats, double mounted_clearance);

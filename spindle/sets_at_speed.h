@@ -16,7 +16,8 @@ namespace raceway::spindle {
 struct SetsAtSpeed {
   Status status = Status::not_run;  ///< no_equilibrium if the sets or a bearing have no equilibrium
   std::string message = {};
-  /// Speed, axial load, elongation and ring growth of the sets. Warm sets include thermal growth.
+  /// Speed, axial load, elongation and ring growth of the sets. For warm sets, the ring growth
+  /// includes the thermal expansion.
   bearing::ArrangementCondition condition = {};
   bearing::ArrangementEquilibrium equilibrium = {};
   /// Equilibrium of each bearing with its 5x5 stiffness matrix, front set first.

@@ -140,14 +140,15 @@ struct Report {
 };
 
 /// Result of a simulated speed programme. If the simulation stops early, `moments` contains only
-/// the rows before the stop. If `has_end` is true, the last entry of `moments` describes the stop.
+/// the rows before the stop. If `has_end` is true, an additional last entry of `moments` contains
+/// the results at the time of the stop.
 struct Run {
   std::vector<Moment> moments = {};    ///< results at the rows of the programme
   bool has_end = false;                ///< true if `moments` has an entry for an early stop
   std::vector<double> step_ends = {};  ///< end time of each time step [s]
   State end = {};
   /// States at the times `keep` of simulate(): for each time, the state at the end of the time step
-  /// that reaches this time. If the simulation stops early, later times have no state.
+  /// that reaches this time. If the simulation stops early, times after the stop have no state.
   std::vector<State> kept = {};
   Report report = {};
   /// Largest axial force of the front set in any row or at the end of any time step [N].
@@ -176,13 +177,14 @@ struct SeatsOfBearing {
   SeatState inner, outer;
 };
 
-/// Heat transfer at a joint or a surface of the spindle. SeatsOfBearing describes the seats of the
-/// rings.
+/// Heat transfer at a joint or a surface of the spindle, except the seats of the bearing rings (see
+/// SeatsOfBearing).
 struct SurfaceState {
   std::string name;
   double area = unset;         ///< [m²]
   double conductance = unset;  ///< heat transfer coefficient, mean over the area [W/(m² K)]
-  double pressure = unset;     ///< contact pressure [Pa]; NaN for a surface or a given conductance
+  /// Contact pressure of a clamped ring face or of a screwed flange joint [Pa]; otherwise NaN.
+  double pressure = unset;
   /// Heat flow [W]. At a surface and at the flange, heat that leaves the spindle is positive. In
   /// the air gap, heat from shaft to housing is positive. At a clamped face of a ring, heat that
   /// leaves the ring is positive. At shoulders and collars, the heat flow is not computed (NaN).

@@ -26,10 +26,10 @@ class SpindleSubject : public model::ModelSubject {
   /// sizes.
   [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   /// Returns a predictor that simulates each run separately. In general, a run starts at ambient
-  /// temperature. If find_warm_start() detects a warm start from the thermometers, the first run of
-  /// a record starts warm. If several records were joined, this rule applies to the first run of
-  /// each record. If the displacement sensor was set to zero in the warm state, the predicted
-  /// displacement of this run is shifted: the mean of prediction minus reading becomes 0.
+  /// temperature. The first run of a record starts warm if its thermometers show a warm start
+  /// (find_warm_start()). If several records were joined, this rule applies to the first run of
+  /// each record. If the displacement sensor was set to zero in the warm state, the function shifts
+  /// the predicted displacement of the run, so that the mean of prediction minus reading is 0.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;

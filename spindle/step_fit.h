@@ -25,7 +25,7 @@ struct StepFit {
   Lag fast = {}, slow = {};
   double rms_of_two = unset;  ///< RMS residual of the fit with two lags [m]
   /// True if the fit needs two lags: the RMS residual with one lag exceeds 1 % of the magnitude of
-  /// its gain, and the RMS residual with two lags is less than half of it.
+  /// the gain of this lag, and `rms_of_two` is less than half of `rms`.
   bool two_needed = false;
   /// True if the last row lies at least two time constants of `one` after the step. Otherwise, the
   /// final displacement of the fit with one lag is an extrapolation.
@@ -43,18 +43,19 @@ struct StepFit {
 ///           constants are limited to the range from a tenth of the smallest time t > 0 to thirty
 ///           times the largest time.
 /// Accuracy: relative error of the time constants 1e-9 if the rows follow u(t) exactly.
-/// Traps:    first subtract the kinematic displacement, because this immediate displacement would
-///           look like a fast lag. Throws std::invalid_argument for too few rows, for a value that
-///           is not finite, for a negative time, and if all displacements are zero.
+/// Traps:    subtract the kinematic displacement from the measured displacement before the fit,
+///           because this immediate displacement would look like a fast lag. Throws
+///           std::invalid_argument for too few rows, for a value that is not finite, for a negative
+///           time, and if all displacements are zero.
 [[nodiscard]] StepFit fit_step(std::span<const double> time, std::span<const double> displacement);
 
-/// Returns the time constants T_k of one or two lags whose displacements decay to zero from t = 0
-/// [s]. The gains K_k are known.
+/// Returns the time constants T_k [s] of one or two lags. The displacement of each lag decays to
+/// zero, beginning at t = 0.
 ///
 ///   u(t) = Σ K_k exp(-t/T_k)
 ///
-/// The function does not fit the gains, but uses the gains of the preceding step. Each lag of the
-/// decay then corresponds to a lag of this step.
+/// The function does not fit the gains K_k: `gains` contains the gains of the step before the decay
+/// [m], from fit_step(). Each lag of the decay therefore corresponds to a lag of this step.
 /// Method:   a logarithmic grid from a tenth of the smallest time t > 0 to thirty times the largest
 ///           time, refined around its best point.
 /// Accuracy: relative error of the time constants 1e-6 if the rows follow u(t) exactly. Throws
@@ -63,7 +64,7 @@ struct StepFit {
                                             std::span<const double> displacement,
                                             std::span<const double> gains);
 
-/// Returns the displacement of a lag at a time [s] after the step [m].
+/// Returns the displacement of a lag [m] at the time `time` after the step [s].
 [[nodiscard]] double displacement_at(const Lag& lag, double time);
 
 }  // namespace raceway::spindle

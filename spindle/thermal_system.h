@@ -111,7 +111,7 @@ class ThermalSystem {
   std::vector<double> source_heat_;
 };
 
-/// Returns the mean temperature of cells with these weights [K].
+/// Returns the weighted mean of cell temperatures [K]; `shares` contains the weights.
 [[nodiscard]] double mean(const Shares& shares, const Vector& temperatures);
 
 }  // namespace raceway::spindle

@@ -28,7 +28,7 @@ struct WarmStart {
 /// A result requires an ambient temperature in the record. At least two thermometers, or the only
 /// thermometer of the model, must read more than 2 K above their temperatures in a simulated cold
 /// start. The RMS temperature error of the best operation must be below half of the RMS temperature
-/// error of a cold start. If a condition is not satisfied, the result is empty.
+/// error of a cold start. If one of these conditions is not satisfied, the result is empty.
 ///
 /// The candidate operations have a constant speed above 0: the speed of the first row, or the mean
 /// or the highest speed of the run. Each of these speeds is combined with durations of 0.25, 0.5,

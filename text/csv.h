@@ -34,7 +34,7 @@ struct DecimalMarks {
   char asked = '\0';      ///< mark that may be a decimal or a thousands mark; '\0': none
 };
 
-/// A column of numbers or texts that do not come from a file.
+/// Data of a column that does not come from a file: either numbers or texts.
 struct DataColumn {
   std::string name;
   std::vector<double> numbers{};  ///< NaN for a missing number; empty for a column of texts
@@ -135,7 +135,7 @@ class CsvTable {
 ///   - The file cannot be read, or contains a control character.
 ///   - The file has no header, no rows or more than 10 000 columns.
 ///   - A column name is missing (except for the first column) or occurs twice.
-///   - In a row, the number of cells or the separator differs from the header.
+///   - A row has another number of cells or another separator than the header.
 [[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
 /// Parses a text in the same way as read_csv() parses a file. `source` is the file name in

@@ -10,9 +10,10 @@ namespace raceway::text {
 
 /// Finds the header of a measurement file in the first lines of the file. The header is the first
 /// line with a name for which `known` returns true. If no name is known, the header is the line
-/// above the first row of numbers, or above the row of units. This header must have at least as
-/// many cells as the first row of numbers. The line below the header is the row of units if at
-/// least half of its cells are units and none of its cells is a reading (see is_reading()).
+/// above the first row of numbers, or above the row of units. A header without a known name must
+/// have at least as many cells as the first row of numbers. The line below the header is the row of
+/// units if at least half of its cells are units and none of its cells is a reading (see
+/// is_reading()).
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
 

@@ -12,7 +12,7 @@ inline constexpr int format_number = 1;
 /// The first line of a model file.
 inline constexpr std::string_view format_line = "format = 1\n";
 
-/// End of the error message about a file with another format number.
+/// End of the error message about a file whose format number is not 1.
 inline constexpr std::string_view other_format =
     "must be 1, because this version of raceway reads format 1 only; use the version that wrote "
     "the file";

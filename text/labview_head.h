@@ -19,7 +19,8 @@ class LabviewHead {
 
   /// Reads one line above the row of column names.
   void take(std::string_view line);
-  /// Returns the time of a row, written as in the file; empty if the header gives no time.
+  /// Returns the time of a row as text, with the decimal mark of the file; empty if the header
+  /// gives no time step.
   [[nodiscard]] std::optional<std::string> time_of(std::size_t row) const;
 
  private:

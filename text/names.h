@@ -23,8 +23,8 @@ using record::edit_distance;
 
 /// Returns the known name that the user probably meant; empty if no known name is similar. A known
 /// name is similar if it differs from `name` by at most two letters, or by at most one letter if
-/// `name` has up to four letters. A known name without its unit ("speed" for "speed_rpm") or
-/// without its first word ("load_N" for "axial_load_N") is also similar.
+/// `name` has up to four letters. A known name is also similar if `name` is its beginning or its
+/// end, before or after a "_" ("speed" for "speed_rpm", "load_N" for "axial_load_N").
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> known);
 

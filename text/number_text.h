@@ -19,12 +19,12 @@ namespace raceway::text {
 /// exponent only for very large and very small numbers. NaN gives "-".
 [[nodiscard]] std::string number(double value, int digits = 4);
 
-/// Returns a value of a channel in its unit, without the rounding error of a large offset: 60 C
-/// instead of 59.9999999999999.
+/// Converts the SI value `si` to the unit of the channel. If the conversion has an offset (K to C),
+/// the function removes the rounding error: 60 C instead of 59.9999999999999.
 [[nodiscard]] double value_in_unit(const record::Channel& channel, double si);
 
-/// Returns the unit of differences between values of a channel, spelled as in keys: "Nmm", "um";
-/// "K" for temperatures.
+/// Returns the unit of differences between values of a channel, spelled as in the keys of model
+/// files: "Nmm", "um"; "K" for temperatures.
 [[nodiscard]] std::string_view difference_unit(const record::Channel& channel);
 
 /// Returns the key of the tolerance of a channel: "tolerance_Nmm".

@@ -14,7 +14,7 @@ enum class IfExists { refuse, refuse_naming_replace, replace };
 
 /// Throws InputError if write_text() would fail. Call this function before a long calculation. The
 /// function checks these conditions:
-///   - The name is not of a binary format, such as a workbook or a picture (st.xlsx, st.png).
+///   - The file extension is not of a binary format, such as a workbook or picture (.xlsx, .png).
 ///   - The path is not a directory.
 ///   - The file does not exist, or may be replaced.
 ///   - The folder exists and is writable.
@@ -29,7 +29,7 @@ void require_name_of(const std::string& path, Written what);
 /// Writes a complete file or nothing. The function first writes a temporary file in the same folder
 /// and then renames it. A new file keeps the permissions of the file that it replaces. A file that
 /// another program has written in the meantime is replaced only if `if_exists` is `replace`. Throws
-/// InputError under the conditions of require_writable(), and if the disk is full.
+/// InputError if a condition of require_writable() is not satisfied, or if the disk is full.
 void write_text(const std::string& path, std::string_view text, IfExists if_exists);
 
 /// Path and text of an output file. The string to which `text` refers must exist until the file is
@@ -40,8 +40,8 @@ struct OutputFile {
 };
 /// Writes files that belong together. The function first writes all temporary files, and then
 /// renames them. If two programs write the same files at the same time, all files come from the
-/// program that writes last. Throws the same exceptions as write_text(). After an error, the old
-/// files remain, unless the disk fails between two renames.
+/// program that writes last. Throws InputError in the same cases as write_text(). After an error,
+/// the old files remain, unless the disk fails between two renames.
 void write_files(const std::vector<OutputFile>& files, IfExists if_exists);
 
 /// Stops all writing before the process ends: removes unfinished files and prevents the writing of

@@ -15,7 +15,7 @@ struct SpreadsheetMarks {
 /// CSV table whose first line is the header, and the comments that were removed from it.
 struct PlainCsv {
   std::string table;
-  std::string comments;  ///< text of all `#` lines, such as the model file; empty without them
+  std::string comments;  ///< text of all `#` lines, such as the model file; empty without `#` lines
 };
 
 /// Separates the table from the comments in a CSV text that this program has written.

@@ -9,7 +9,7 @@ namespace raceway::text {
 
 /// Order of day, month and year in a date that is written in numbers only. Some dates are
 /// ambiguous: 12/03/2024 can be in March or in December, and 24/09/11 and 24.09.11 can begin with
-/// the day or the year. A date with points never begins with the month.
+/// the day or the year. A date with dots, such as 12.03.2024, never begins with the month.
 enum class DateOrder { day_first, month_first, year_first };
 inline constexpr std::array date_orders{DateOrder::day_first, DateOrder::month_first,
                                         DateOrder::year_first};
@@ -63,13 +63,13 @@ struct ShortTime {
 /// Returns true if a change to or from summer time is possible at the local time `before`, in
 /// seconds since 1970. The changes are at night on these Sundays: the last of March and of October
 /// (Europe); the second of March and the first of November (North America); the last of September
-/// or the first of October, and the first of April (New Zealand, Australia). `forward` selects the
-/// change to summer time.
+/// or the first of October, and the first of April (New Zealand, Australia). If `forward` is true,
+/// the function tests the change to summer time, otherwise the change from summer time.
 [[nodiscard]] bool clocks_may_change(double before, bool forward);
 
 /// Converts a date number of Excel (in days; 1 is 1 January 1900) to seconds since 1970. Number 60
-/// of Excel is 29 February 1900, a date that did not exist; it gives 28 February 1900. The result
-/// is empty outside the years of Excel, 1900 to 9999.
+/// of Excel is 29 February 1900, a date that did not exist; the function returns 28 February 1900.
+/// The result is empty outside the years of Excel, 1900 to 9999.
 [[nodiscard]] std::optional<double> seconds_of_excel(double days);
 
 /// Returns seconds since 1970 as a text such as "2024-03-12T08:15:00.500", for the years 0 to 9999.

@@ -48,8 +48,8 @@ struct Unit {
 [[nodiscard]] std::span<const Unit> units();
 
 /// Returns the unit with this spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm",
-/// "rad_s", "minutes". The case matters in symbols (mN, MN) but not in words. Returns null if no
-/// unit has this spelling, or if the unit does not measure the given dimension.
+/// "rad_s", "minutes". Upper and lower case differ in symbols (mN, MN) but not in words. Returns
+/// null if no unit has this spelling, or if the unit does not measure the given dimension.
 [[nodiscard]] const Unit* find_unit(std::string_view spelling,
                                     std::optional<Dimension> dimension = std::nullopt);
 

@@ -64,7 +64,7 @@ struct Approximation {
 struct ApproximationOptions {
   std::vector<Eigen::VectorXd> starts{};  ///< start values, in addition to Parameter::start
   int random_starts = 24;
-  /// Number of starts from which a complete fit runs. Starts with a smaller misfit come first.
+  /// Largest number of complete fits. These fits begin at the starts with the smallest misfits.
   int polished = 3;
   bool rough = false;  ///< true: the fit of a costly model stops early with an approximate misfit
   std::function<bool()> cancelled{};  ///< no further fit starts after this function returns true
@@ -104,9 +104,10 @@ void require_fit(const Approximation& approximation);
 
 /// Computes the held-out residuals and their RMS. The record is divided into blocks, and each block
 /// is predicted from a fit to all other blocks. If the model contains a jump of the readings inside
-/// the block, the jump keeps its fitted time and size, because the other blocks do not determine
-/// the jump. For costly models, the fit is linearised with the derivatives Approximation::slope.
-/// Each simulation runs through all rows, including the rows of the held-out block.
+/// the held-out block, the jump keeps its fitted time and size, because the other blocks do not
+/// determine the jump. For costly models, the fit is linearised with the derivatives
+/// Approximation::slope. Each simulation runs through all rows, including the rows of the held-out
+/// block.
 void hold_out(Approximation& approximation, const Recorded& recorded);
 
 /// Repeats the fit on single rows instead of means, starting from `approximation`. If the record
@@ -123,7 +124,8 @@ struct ApproximationErrors {
   /// Condition number of the matrix of derivatives, whose columns are scaled to length 1 [1].
   double condition = unset;
   double correlation_time = unset;  ///< correlation time of the residuals [s]
-  double effective = unset;  ///< number of independent means that determine the fit equally well
+  /// Number of independent means that would determine the fit as well as all correlated means do.
+  double effective = unset;
   /// Variance of the weighted residuals, multiplied by a factor for the correlation of neighbouring
   /// means.
   double variance = unset;

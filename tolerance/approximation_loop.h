@@ -20,12 +20,12 @@ namespace raceway::tolerance {
 /// step that gives a verdict:
 ///
 ///   1. The model is fitted without candidates. If the error is within the tolerance, the verdict
-///      is nothing-missing.
+///      is `nothing-missing`.
 ///   2. The model is fitted with each candidate alone, except the candidates driven by a column of
 ///      the record (Candidate::by_column). If the error is within the tolerance, the verdict is
-///      effect, or ambiguous if other candidates are close to the best one.
+///      `effect`, or `ambiguous` if other candidates are close to the best one.
 ///   3. If the record itself proves a fault of the measurement (Fault::certain), the verdict is
-///      effect-like.
+///      `effect-like`.
 ///   4. Step 2 is repeated with all candidates, including the candidates driven by a column.
 ///   5. The model is fitted with pairs of candidates. The verdict is several-effects if the error
 ///      is within the tolerance and at most 1/1.2 of the smallest error with a single candidate.

@@ -8,7 +8,7 @@ namespace raceway::tolerance {
 
 /// Returns a shorter copy of a long record, for faster fits: about 8000 means over equal time
 /// intervals. Returns the record itself if it has at most 20 000 rows or no time, or if the copy
-/// would have more than half as many rows.
+/// would have more than half of the rows of the record.
 ///
 /// Each row of the result contains the means of time, readings and inputs over its original rows.
 /// Rows without a reading do not contribute to the mean reading. For an input that is constant

@@ -14,7 +14,7 @@ namespace raceway::verdict {
 
 /// Errors of one measured channel without and with the added effects.
 struct ChannelGain {
-  /// Errors without and with the effects; both models are refitted to the same rows.
+  /// Errors without and with the effects. The model is refitted to the same rows in both cases.
   Comparison before{}, after{};
   /// Noise of the readings, which determines the weights of the readings in the fit. Reading i of
   /// `noise` belongs to `before.errors[i]` and `after.errors[i]`.
@@ -38,7 +38,7 @@ struct AddResult {
   /// Refits without and with the effects, for a spindle model or a correction
   /// (Subject::approximates()); empty for other models.
   std::vector<fit::Refit> refits{};
-  fit::Likelihood before{};  ///< likelihood of the model without the effects, with the same noise
+  fit::Likelihood before{};  ///< likelihood without the effects, with the noise of `calibration`
   double gain = unset;       ///< gain of all added effects together (RankedEffect::gain) [1]
   bool refused = false;      ///< true if add_by_noise() rejects the result
   std::string reason{};      ///< reason for the rejection; empty if the result is accepted

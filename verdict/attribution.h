@@ -22,7 +22,8 @@ struct Explanation {
   /// exponents.
   std::vector<record::Parameter> parameters{};
   double gain = unset;  ///< gain of the candidates (RankedEffect::gain) [1]
-  /// True if the fit diverged: a size exceeds 1000 times the largest plausible size.
+  /// True if the fit diverged: the size of a candidate exceeds 1000 times its largest plausible
+  /// size.
   bool ran_away = false;
   /// Start values for a full fit, if `fit` is coarse (fit::coarse_fit()); empty after a full fit.
   std::vector<Eigen::VectorXd> starts{};
@@ -79,9 +80,9 @@ class Attribution {
   [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
                                                  const std::vector<Explanation>& singles,
                                                  const std::function<bool()>& cancelled) const;
-  /// Replaces a coarse fit in `list` by a full fit if the gain of the coarse fit may be less than
-  /// `reach` below the best gain. The pairs from which triples() starts also get full fits. The
-  /// function then sorts the list by gain, largest first.
+  /// Replaces a coarse fit in `list` by a full fit if the gain of the full fit may be within
+  /// `reach` of the best gain. The pairs from which triples() starts also get full fits. The
+  /// function removes fits that do not converge, and sorts the list by gain, largest first.
   void refine(std::vector<Explanation>& list, double reach) const;
   /// Refits the model with one candidate whose formula is multiplied by powers of the quantities in
   /// Subject::factors(). The fitted exponents lie between -0.2 and 0.2.
@@ -91,8 +92,8 @@ class Attribution {
   void recheck(Explanation& explanation) const;
 
  private:
-  /// Changes of the readings by the candidates. weigh_pairs() uses these changes to estimate the
-  /// gains of pairs.
+  /// Changes of the readings that the candidates cause. weigh_pairs() uses these changes to
+  /// estimate the gains of pairs.
   struct Directions {
     std::vector<std::size_t> owner{};
     std::vector<bool> one_sided{};

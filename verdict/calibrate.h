@@ -75,9 +75,9 @@ struct CalibrateOptions {
 /// Standard errors are multiplied by Calibration::error_factor. This factor is sqrt(χ²/degrees of
 /// freedom) if the misfit significantly exceeds the noise (p < 0.01) or if the noise is unknown,
 /// otherwise 1. Standard errors do not include the bias from a missing effect. Profile-likelihood
-/// intervals use the same noise. An interval ends where -2 ln L (L: likelihood) exceeds its minimum
-/// by 3.84 times the square of Calibration::error_factor. 3.84 is the 95 % quantile of χ² with one
-/// degree of freedom.
+/// intervals use the noise of the fit. An interval ends where -2 ln L (L: likelihood) exceeds its
+/// minimum by 3.84 times the square of Calibration::error_factor. 3.84 is the 95 % quantile of χ²
+/// with one degree of freedom.
 ///
 /// If a parameter changes the predictions in the same way as earlier parameters in the list of free
 /// parameters, the fit keeps this parameter at its start value. The fit marks this parameter and

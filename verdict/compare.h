@@ -41,8 +41,8 @@ struct RowError {
 ///   declared or regression   statistic = χ²/degrees of freedom, χ² distribution
 ///   repeats                  statistic = lack of fit/pure error, F distribution
 ///   none                     no test: all values are NaN
-/// For a spindle model or a correction (Subject::approximates()), compare() makes no such test, and
-/// all values are NaN.
+/// For a spindle model or a correction (Subject::approximates()), compare() makes no lack-of-fit
+/// test, and all values are NaN.
 struct LackOfFit {
   double statistic = unset;
   double p_value = unset;
@@ -69,10 +69,10 @@ struct Pattern {
   int pairs = 0;
 };
 
-/// Conclusion about a misfit. A spindle model or a correction (Subject::approximates()) is compared
-/// with the tolerance instead of the noise. For these models, `structure` means that the RMS error
-/// exceeds the tolerance, `noise` that the error is within the tolerance, and `unknown` that no
-/// tolerance is given.
+/// Conclusion about a misfit. For a spindle model or a correction (Subject::approximates()), the
+/// RMS error is compared with the tolerance instead of the noise: `structure` means that the RMS
+/// error exceeds the tolerance, `noise` that the RMS error is within the tolerance, and `unknown`
+/// that no tolerance is given.
 enum class Judgement {
   structure,  ///< systematic misfit: p-value below 0.01 in LackOfFit or, if the noise is unknown,
               ///< in Pattern
@@ -122,9 +122,9 @@ struct Comparison {
 
 /// Compares a model with every measured channel of the record. `fitted_parameters` is the number of
 /// model parameters that were fitted to these data. This number reduces the degrees of freedom of
-/// the test. If you do not know this number, use 0; the test then detects a misfit less often.
-/// Throws std::invalid_argument if the record does not suit this kind of model, has no rows, or has
-/// a measured channel without any prediction.
+/// the lack-of-fit test. If you do not know this number, use 0; the test then detects a misfit less
+/// often. Throws std::invalid_argument if the record does not suit this kind of model, has no rows,
+/// or has a measured channel without any prediction.
 [[nodiscard]] std::vector<Comparison> compare(const fit::Subject& subject,
                                               const record::Record& record,
                                               int fitted_parameters = 0);

@@ -38,7 +38,7 @@ struct DiagnoseOptions {
 ///   3. refit of all base parameters with each candidate alone, then with pairs and triples
 ///   4. test of step 2 again, with the residuals of the fits of step 3
 ///   5. test on held-out blocks of rows, and check for implausible sizes
-///   6. choice of the next measurements, if the data cannot decide
+///   6. choice of the next measurements, if the data cannot separate the effects
 ///
 /// The test for a missing effect has a significance level of 1 %. An effect is accepted only if its
 /// gain (RankedEffect::gain) exceeds ln N + 2 ln m, with N readings and m tried candidates. The
@@ -47,22 +47,24 @@ struct DiagnoseOptions {
 ///
 /// If the verdict is `effect_like` or `not_in_catalogue`, other base laws (Subject::other_bases())
 /// are also fitted to the readings and compared with the candidates. The verdict always refers to
-/// the given base law.
+/// the base law of `subject`.
 ///
-/// For p free parameters, the estimate of the noise needs at least max(15, p + 12) readings. With
-/// fewer readings, the function uses the declared standard deviations as the noise. This requires
-/// at least max(8, p + 4) readings, each with a standard deviation. Only candidates with one
-/// parameter are then tried, one at a time.
+/// For p free parameters, the estimate of the noise needs at least max(15, p + 12) readings. If the
+/// record has fewer than this number but at least max(8, p + 4) readings, each with a declared
+/// standard deviation, these standard deviations replace the estimate. In a record with so few
+/// readings, the function tries only candidates with one parameter, one at a time.
 ///
 /// If a channel has a tolerance (Measured::tolerance), the verdict depends on the held-out error
-/// within the measured range, after subtraction of the noise: sqrt(error² - noise²).
-///   - Nothing is missing if the test finds no missing effect, or if this error of the refitted
-///     model is within the tolerance.
+/// within the measured range, after subtraction of the noise: sqrt(error² - noise²). In this list,
+/// "error" means the result of the subtraction:
+///   - Nothing is missing if the test finds no missing effect, or if the error of the refitted
+///     model without additional effects is within the tolerance.
 ///   - One effect explains the data if its gain exceeds ln N + 2 ln m, its size is plausible, and
 ///     the error with this effect is within the tolerance. The verdict also names effects whose
 ///     error is at most 1.2 times the smallest error.
-///   - If no single effect explains the data, a pair of effects is tested in the same way. The
-///     error of the best single effect must be at least 1.2 times the error of the pair.
+///   - If no single effect explains the data, pairs of effects are tested in the same way. A pair
+///     is accepted only if the error with the best single effect is at least 1.2 times the error
+///     with the pair.
 ///
 /// Throws std::invalid_argument if the data cannot give a verdict (the message says what is
 /// needed), and fit::Cancelled if the caller cancels. For a spindle model or a correction

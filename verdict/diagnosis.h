@@ -76,7 +76,7 @@ struct RankedEffect {
   /// missing effect.
   std::vector<record::Parameter> base{};
   /// Ids of the other candidates (effects or wrong data) that change these data in nearly the same
-  /// way, or that replace this candidate in another set of the verdict.
+  /// way, or that stand in place of this candidate in another element of Diagnosis::sets.
   std::vector<std::string> indistinguishable_from{};
   /// P-value of the test for a further missing effect in addition to this one (verdict/gate.h); NaN
   /// if not tested.
@@ -119,7 +119,7 @@ struct ExplainedReadings {
   std::vector<EffectShare> effects{};
 };
 
-/// Smallest size of an effect that the diagnosis would have found in 99 of 100 cases.
+/// Smallest size at which the diagnosis would have found an effect in 99 of 100 cases.
 struct DetectableSize {
   std::string id;
   std::string parameter;
@@ -142,7 +142,7 @@ struct NotTestable {
   std::string reason;
 };
 
-/// Pattern of the residuals over time that no effect of the catalogue explains.
+/// Pattern over time of residuals that no effect of the catalogue explains.
 struct Course {
   /// Start and end of each of the time spans with the largest residuals [s].
   std::vector<std::pair<double, double>> when{};
@@ -162,7 +162,8 @@ struct SuggestedMeasurement {
   double difference_in_sigma = unset;
 };
 
-/// Model with another base law than the given model, calibrated to the same readings.
+/// Model in which another base law replaces the base law of the given model. Both models are
+/// calibrated to the same readings.
 struct OtherBaseTried {
   std::string id;     ///< id for add(), such as "law:skf"
   std::string words;  ///< name of the base law in model files
@@ -228,7 +229,8 @@ struct Diagnosis {
   /// Free parameters of the model: `start` is the value fitted without the effects of the verdict,
   /// `value` the value fitted with them. Both are equal if the verdict names no effect.
   std::vector<record::Parameter> base;
-  /// Held-out errors with the best set of the verdict, compared with the model without effects.
+  /// Held-out errors of the model with the best set of effects (the first element of `sets`),
+  /// compared with the held-out errors without effects.
   std::vector<fit::HoldOut> hold_out;
   /// Gain that an effect needs: ln N + 2 ln m, with N readings and m candidates.
   double needed_gain = unset;

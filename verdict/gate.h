@@ -36,8 +36,8 @@ constexpr double alarm_level = 0.01;
 
 /// Result of the test for a missing effect. The test combines an F test and a score test. The F
 /// test fits a smooth function of the inputs to the residuals. The score test uses the largest
-/// score of all candidates. A score is the size of a candidate that the residuals suggest, divided
-/// by its standard error.
+/// score of all candidates. A score is the size that the residuals suggest for a candidate, divided
+/// by the standard error of this size.
 struct Gate {
   double surface_statistic = unset;
   double surface_p_value = 1.0;
@@ -55,12 +55,12 @@ struct Gate {
   /// Share of each column that the free parameters of the model cannot compensate [1]: norm of the
   /// column in `projected`, divided by its norm before the compensated part is subtracted.
   Eigen::VectorXd visibility;
-  /// Whitened changes of the readings by the candidates, in one or more columns for each candidate.
-  /// The part that the free parameters compensate is subtracted.
+  /// Whitened changes of the readings that the candidates cause, minus the part that the free
+  /// parameters compensate. Each candidate has one or more columns.
   Eigen::MatrixXd projected;
 
-  /// Returns the p-value of both tests together (Bonferroni), and the largest of these values if
-  /// several noise models are tested.
+  /// Returns the p-value of both tests together (Bonferroni). If several noise models are tested,
+  /// returns the largest of their p-values.
   [[nodiscard]] double p_value() const;
   [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };

@@ -29,11 +29,11 @@ struct HiddenInput {
 };
 
 /// Compares readings of rows whose speeds and loads agree within 2 % and whose temperatures agree
-/// within 1 K. Within such a range, few friction laws change by more than 5 %. The function reports
-/// a hidden input if two estimates of the relative standard deviation of these readings, pooled and
-/// robust, both exceed Measured::most_scatter. A few wrong readings are therefore not reported as a
-/// hidden input. An analysis of variance of the logarithms of the readings tests whether the
-/// readings differ between runs.
+/// within 1 K. Such differences change the friction by more than 5 % in few friction laws. The
+/// function reports a hidden input if two estimates of the relative standard deviation of these
+/// readings, pooled and robust, both exceed Measured::most_scatter. A few wrong readings are
+/// therefore not reported as a hidden input. An analysis of variance of the logarithms of the
+/// readings tests whether the readings differ between runs.
 ///
 /// The result is empty if no hidden input is found, or if the test is impossible:
 /// Measured::most_scatter is unknown, there are fewer than 8 degrees of freedom, or a reading is

@@ -24,9 +24,9 @@ struct MisfitCell {
 /// The ranges of an axis come from Comparison::where. A range is a single value if the input has
 /// few different values in the record, otherwise a bin. All bins contain about equal numbers of
 /// rows. The horizontal axis `across` is the swept input Pattern::along, usually the speed. The
-/// vertical axis `up` is another quantity that varies in the record. The first of these that varies
-/// is used: a setting such as a load, another input such as a temperature, the run. An axis whose
-/// input does not vary has one range with all rows. The map is empty if no input is swept.
+/// vertical axis `up` is the first quantity of this list that varies in the record: a setting such
+/// as a load, another input such as a temperature, the run. An axis whose input does not vary has
+/// one range with all rows. The map is empty if no input is swept.
 ///
 ///   standard error of the mean of m rows = sqrt(Σ s_i²) / m
 ///
@@ -34,7 +34,7 @@ struct MisfitCell {
 /// independent. If the sensor drifts, the errors are not independent, and `sigmas` is too large.
 struct MisfitMap {
   const record::Channel* across_channel = nullptr;
-  const record::Channel* up_channel = nullptr;  ///< null if only the swept input varies
+  const record::Channel* up_channel = nullptr;  ///< null if the record has no other input or run
   std::vector<ErrorRange> across;               ///< ranges of the swept input, in ascending order
   std::vector<ErrorRange> up;                   ///< ranges of the other input, in ascending order
   /// Cells that contain rows of the record, sorted by MisfitCell::up, then by MisfitCell::across.

@@ -28,8 +28,8 @@ struct Finding {
   };
   Kind kind = Kind::none;
   std::vector<const Explanation*> set{};  ///< explanations, best first
-  /// Other pairs that explain the misfit as well as the pairs in `set`. One candidate of such a
-  /// pair corrects a wrong datum, such as an entered preload.
+  /// Pairs, not in `set`, whose gain is also at most `within_reach` below the best gain. In these
+  /// pairs, a candidate corrects a datum that may be wrong, such as an entered preload.
   std::vector<const Explanation*> with_data{};
 };
 

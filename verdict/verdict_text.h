@@ -36,9 +36,10 @@ namespace raceway::verdict {
 /// effects of the verdict are left out of the fit. The text is empty if all these errors are below
 /// 1 %.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
-/// Returns a text with up to three suggested measurements, the difference between the gains of the
-/// rival explanations that each measurement should give, and further quantities to record. The text
-/// is empty if there are no suggestions.
+/// Returns a text with up to three suggested measurements and with further quantities to record.
+/// The text states two predicted differences between the gains of the rival explanations: after all
+/// suggested measurements, and after a mere repetition of the present measuring points. The text is
+/// empty if there are no suggestions.
 [[nodiscard]] std::string measure_text(const Diagnosis& d);
 /// Returns a text about two rows that have nearly equal inputs and different readings. `hidden`
 /// names these rows.

@@ -12,7 +12,8 @@ namespace raceway::verdict {
 /// Effects that the data can show, and effects that the data cannot show. The lists do not depend
 /// on whether an effect is missing.
 struct Visibility {
-  /// Number of effects that the data can show. The other effects are in `not_testable`.
+  /// Number of effects that the free parameters of the model cannot compensate. If such an effect
+  /// changes the readings too little at any allowed size, it is also in `not_testable`.
   std::size_t tried = 0;
   std::vector<DetectableSize> would_have_been_found;  ///< detectable sizes of the effects
   std::vector<NotTestable> not_testable;

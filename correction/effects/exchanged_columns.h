@@ -4,11 +4,11 @@
 
 namespace raceway::correction {
 
-/// Two temperature columns have exchanged names, because two plugs or two column headers were
-/// exchanged. faults() returns a possible fault for each pair of temperatures if at least one of
-/// the two is an input of the model. The fault contains a corrected record, in which the two
-/// columns are exchanged back. The function does not consider columns with jumps, or pairs whose
-/// mean is the input of a channel.
+/// Two temperature columns are swapped, because two plugs or two column headers were exchanged.
+/// faults() returns a possible fault for each pair of temperatures if at least one of the two is an
+/// input of the model. Each fault contains a corrected record, in which the two columns are swapped
+/// back. The function does not consider columns with jumps, or pairs whose mean is the input of a
+/// channel.
 struct ExchangedColumns final : EffectKind {
   static constexpr EffectCard exchanged_card{
       .id = "exchanged-columns",

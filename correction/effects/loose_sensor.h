@@ -6,9 +6,10 @@ namespace raceway::correction {
 
 /// A temperature sensor was loose for some time, and measured only a fraction of the temperature
 /// rise above ambient. The loose period begins and ends with a jump of the reading. If the reading
-/// has only one clear jump, the time of the other jump is unknown. faults() then tests up to six
-/// times: times of small jumps that give the same fraction, times at which the reading is close to
-/// ambient, and the start or the end of the record. Only records with one run are examined.
+/// has only one clear jump, the time of the other jump is unknown. faults() then returns up to six
+/// possible faults with different times of the other jump. The possible times are small jumps that
+/// give about the same fraction as the clear jump, times at which the reading is close to ambient,
+/// and the start or the end of the record. Only records with one run are examined.
 struct LooseSensor final : EffectKind {
   static constexpr EffectCard loose_card{
       .id = "loose-sensor",

@@ -65,9 +65,10 @@ struct BalancedEquilibrium {
 /// the friction forces T_i, T_o at both contacts act on each ball.
 ///
 /// The solver alternates between ball forces and ball rotations. The solver starts from outer race
-/// control or, if `neighbour` is given, from the ball rotations of this solution for a similar
-/// operating point. With nearly unloaded balls at very high speed, the solver may not converge. In
-/// tests, this happened in fewer than 1 of 100 extreme cases. `report` then gives the reason.
+/// control or, if `neighbour` is given, from the ball rotations in `neighbour`, which is the
+/// solution for a similar operating point. With nearly unloaded balls at very high speed, the
+/// solver may not converge; `report` then gives the reason. In tests, the solver failed in fewer
+/// than 1 of 100 extreme cases.
 ///
 /// Domain:   the same as for solve_bearing_equilibrium(). At standstill, the ball rotations do not
 ///           affect the forces. The function ignores `options.race_control` and

@@ -56,9 +56,9 @@ class TurningBall;
 /// Domain:   speed >= 0; at standstill, the result is the limit as the speed approaches zero. Each
 ///           ball must have a load at the outer race. A ball without contact at the inner race
 ///           rotates as under outer race control.
-/// Accuracy: the forces on a ball balance to 1e-8 of the sum of |τ|, and usually to 1e-10; the
-///           relative difference of power input and power loss is at most 1e-8. Film thickness and
-///           rolling resistance are computed at the resulting cage speed. The effect of rolling
+/// Accuracy: the forces on a ball balance to 1e-8 of Σ |τ| over both contacts, usually to 1e-10;
+///           the relative difference of power input and power loss is at most 1e-8. Film thickness
+///           and rolling resistance are computed at the resulting cage speed. The effect of rolling
 ///           resistance on the rotation of a ball is neglected.
 class BallAttitudes {
  public:

@@ -220,8 +220,8 @@ struct BearingFriction {
   return ball_motion(g, r, inner, ball.outer_contact_angle, speed);
 }
 
-/// Friction at both contacts of a ball. `inner` has no meaning if the ball does not touch the inner
-/// race.
+/// Friction at both contacts of a ball. If the ball does not touch the inner race, `inner` contains
+/// no valid result.
 struct ContactsOfBall {
   ContactFriction inner, outer;
 };
@@ -256,9 +256,9 @@ template <typename Contacts, typename Look>
 ///   M = Σ (sliding + rolling + hysteresis)/ω       over the balls, at both races
 ///
 /// ω is the shaft speed. The power lost in a contact is assigned to the race of this contact. The
-/// sum of the moments at a race, times the shaft speed, is therefore the heat generated at its
-/// ring. The function assumes race control without gyroscopic creep; use balanced_friction() for
-/// balls without race control.
+/// sum of the moments at a race, times the shaft speed, is therefore the heat generated at the ring
+/// with this race. The function assumes race control without gyroscopic creep; use
+/// balanced_friction() for balls without race control.
 /// Source:   the laws in friction/contact. The formula for M follows from the power balance of the
 ///           bearing.
 /// Domain:   speed >= 0; at standstill, the result is the limit as the speed approaches zero. The
@@ -266,8 +266,8 @@ template <typename Contacts, typename Look>
 /// Accuracy: the code agrees with the laws to rounding error, except for the sliding loss, whose
 ///           accuracy is given at film_traction(). The friction of a bearing at speed is uncertain
 ///           by +-40 %, because oil supply and inlet heating are not well known. Flooded inlets
-///           give 32 to 55 % more friction than inlets with limited oil supply. A computed ratio of
-///           the friction of two bearings is much more accurate.
+///           give 32 to 55 % more friction than inlets with limited oil supply. The computed ratio
+///           of the friction of two bearings is much more accurate than each of the two values.
 /// The argument `look` is described at sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,

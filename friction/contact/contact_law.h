@@ -53,8 +53,8 @@ inline constexpr std::array contact_parameters{
 /// Returns the oil properties at the temperature and viscosity of the bearing state.
 [[nodiscard]] OilState oil_of(const BearingState<double>& state);
 
-/// Friction at the contacts of one ball. `inner` or `outer` is empty if the ball does not touch
-/// this race.
+/// Friction at the contacts of one ball with the inner and outer race; empty for a race that the
+/// ball does not touch.
 struct BallFriction {
   std::optional<ContactFriction> inner, outer;
 };
@@ -67,11 +67,11 @@ struct ContactResult {
   /// all contacts, divided by the sum of the contact loads (p: pressure, v: sliding velocity, A:
   /// contact area).
   double mean_slip = unset;
-  /// Largest ratio, over all contacts, of the friction force that balances the gyroscopic moment to
-  /// the contact load [1].
+  /// Friction force that balances the gyroscopic moment, divided by the contact load: largest ratio
+  /// of all contacts [1].
   double holding_coefficient = unset;
-  /// Largest ratio, over all contacts, of the friction force that balances the gyroscopic moment to
-  /// the total friction force of film and asperities [1].
+  /// Friction force that balances the gyroscopic moment, divided by the total friction force of
+  /// film and asperities: largest ratio of all contacts [1].
   double holding_over_traction = unset;
 
   [[nodiscard]] double moment() const { return friction.moment() + drag; }  ///< [N m]

@@ -38,7 +38,7 @@ struct Film {
 ///           formula by 10 to 20 %.
 /// Trap:     U here is half the U of rolling_force().
 [[nodiscard]] inline Film isothermal_film(const RollingInlet& c, double ellipse_ratio) {
-  if (!(c.speed > 0.0)) return {};  // powers without finite derivatives
+  if (!(c.speed > 0.0)) return {};  // powers of speed: infinite slope at 0
   const double U = c.viscosity * c.speed / (c.modulus * c.radius_along);
   const double G = c.pressure_viscosity * c.modulus;
   const double W = c.load / (c.modulus * c.radius_along * c.radius_along);

@@ -23,9 +23,9 @@ namespace raceway::friction::contact {
 ///           power agrees with rolling_traction() at the same points to 1e-6 (tested).
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear);
 
-/// Overload that starts the search at v_x0 = -`centre` ω_roll a²/(2 R), with `centre` from 0 to 1
-/// [1]. On return, `centre` contains the solution, which is a good start value for a similar
-/// contact.
+/// Overload that starts the search for v_x0 at -`centre` ω_roll a²/(2 R), with `centre` from 0 to 1
+/// [1]. On return, `centre` contains the value for the found v_x0, which is a good start value for
+/// a similar contact.
 [[nodiscard]] Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear,
                                      double& centre);
 /// Start value for `centre` in film_traction() if no better value is known [1].

@@ -11,9 +11,9 @@ namespace raceway::friction::contact {
 ///
 ///   M_h = 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.519e-3 (R_z/R_x - 1)^0.8063) (E'_s/E')^(1/3)
 ///
-/// The formula is in its published units [N m, m, N]. D is the ball diameter and Q the contact
-/// load. R_x and R_z are the equivalent radii along and across the rolling direction; E' is the
-/// modulus of the contact, E'_s the modulus of steel on steel.
+/// As published, the formula gives M_h in N m for D in m and Q in N. D is the ball diameter and Q
+/// the contact load. R_x and R_z are the equivalent radii along and across the rolling direction;
+/// E' is the modulus of the contact, E'_s the modulus of steel on steel.
 /// Source:   [Houpert2002] as quoted in [Balan2015, eq. 9]. Neither paper was checked. The factor
 ///           (E'_s/E')^(1/3) is derived. The derivation assumes that the loss is the same fraction
 ///           of the elastic work for steel and ceramic balls. For steel on steel, the factor is

@@ -10,11 +10,11 @@ namespace raceway::friction::contact {
 /// Vectorized contact_result() for many states of one bearing, with the same laws and integration
 /// points.
 ///
-/// All states should refer to the same bearing and the same ContactData. No result then depends on
-/// the other states, not even in the last digit. States at standstill, without equilibrium or
-/// without race control are computed without vectorization. The states are processed in blocks of
-/// 256. A state whose bearing or ContactData differs from the first state of its block is also
-/// computed without vectorization.
+/// If all states refer to the same bearing and the same ContactData, the result of a state does not
+/// depend on the other states, not even in the last digit. States at standstill, without
+/// equilibrium or without race control are computed without vectorization. The states are processed
+/// in blocks of 256. A state whose bearing or ContactData differs from the first state of its block
+/// is also computed without vectorization.
 /// Memory:   each thread keeps a fixed amount of memory between calls.
 /// Accuracy: relative differences from contact_result() are as follows. Film, rolling and
 ///           hysteresis agree to 1e-11. The sliding loss is computed in single precision. For the

@@ -136,7 +136,7 @@ class TractionField {
   std::array<Point, Radial> points_{};
 };
 
-/// Traction of a contact, with the slip velocity at the contact centre. The solver finds this slip.
+/// Traction of a contact, with the slip velocity that the solver found at the contact centre.
 struct Traction {
   bool converged = false;
   CentreSlip slip;               ///< v_x0, v_y0 [m/s]
@@ -147,7 +147,7 @@ struct Traction {
 };
 
 /// Value and slope of an increasing function, with a reference value `size`, for example Σ |τ|.
-/// find_zero() accepts a value that is small compared with `size`.
+/// find_zero() treats a value as zero if it is small compared with `size`.
 struct GrowingValue {
   double value, slope, size;
 };

@@ -16,7 +16,7 @@ namespace raceway::friction::contact {
 /// ball rotation times TurningBall::length().
 using Slips = std::array<double, 4>;
 
-/// Ball between its two races. The class computes the speeds of the ball from four given slips, and
+/// Ball between its two races. From four given slips, the class computes the speeds of the ball and
 /// the net forces on the ball.
 class TurningBall {
  public:

@@ -18,7 +18,7 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Measurements that are an argument of a call from Python; null if the call has no measurements.
+/// Measurements that Python passes to a call; null if it passes none.
 using Data = std::shared_ptr<session::Source>;
 
 /// Name and values of each column. The values are in the units of record files.
@@ -55,8 +55,8 @@ inline std::vector<session::Source> sources(const std::vector<Data>& data) {
 /// Python. Throws TypeError for other keywords. An argument that is None has no effect.
 [[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
 
-/// Runs `work` for a call from Python and adds its messages to the answer. Python can interrupt the
-/// call.
+/// Runs `work` for a call from Python and adds the messages of `work` to the answer. Python can
+/// interrupt the call.
 template <typename Work>
 EngineAnswer answered(const Waiting& waiting, std::atomic<bool>& cancelled,
                       const Progress& progress, const Work& work) {

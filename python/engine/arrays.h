@@ -19,9 +19,9 @@ namespace py = pybind11;
 /// Reference to an array of doubles in Python, with any shape and strides.
 using Doubles = py::array_t<double>;
 
-/// Rounds an input value, such as a speed, to 13 digits. The result is the number that the user
-/// entered. The conversion to SI and back can change the last digit of a double. Without rounding,
-/// a filter such as frame.speed_rpm == 1500 would find no rows.
+/// Rounds an input value, such as a speed, to 13 digits. The result equals the number that the user
+/// entered, although the conversion to SI and back can change the last digit of a double. Without
+/// rounding, a filter such as frame.speed_rpm == 1500 would find no rows.
 inline double as_entered(double value) { return record::with_digits(value, 13); }
 
 /// Returns the common shape of arrays by the broadcasting rules of NumPy. Throws text::InputError
@@ -67,7 +67,7 @@ inline session::NumberArray number_array(const Doubles& array,
   return numbers;
 }
 
-/// Moves a vector into an array of this shape without a copy.
+/// Moves a vector into an array of the shape `shape`. The numbers are not copied.
 template <typename Number>
 py::array_t<Number> owned(std::vector<Number> values, const std::vector<std::size_t>& shape) {
   auto* const kept = new std::vector<Number>(std::move(values));

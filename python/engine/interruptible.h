@@ -42,14 +42,15 @@ class Progress {
 struct Waiting {
   double time_limit = std::numeric_limits<double>::infinity();  ///< [s]
   /// Python function that is called with the finished share of the work (0 to 1) and the name of
-  /// the current step, at most 20 times per second. If None, there are no calls.
+  /// the current step, at most 20 times per second. If `progress` is None, no function is called.
   py::object progress = py::none();
 };
 
 /// Runs long work on a separate thread without the interpreter lock, so that other Python threads
-/// continue. The calling thread checks for signals. KeyboardInterrupt sets `cancelled`, so that the
-/// work ends early, and is raised after the end of the work. At the time limit, the function sets
-/// `cancelled` in the same way and raises TimeoutError.
+/// continue. The calling thread checks for signals. On KeyboardInterrupt, the function sets
+/// `cancelled`, so that the work ends early. It raises KeyboardInterrupt after the end of the work.
+/// At the time limit, it sets `cancelled` and raises TimeoutError if the work then ends with an
+/// error.
 template <typename Work>
 auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const Waiting& waiting,
                    const Work& work) {

@@ -23,8 +23,9 @@
 #include <string>
 #include <string_view>
 
-/// Renames a file, but only if no file has the new name, like renameat2() of Linux. In the browser,
-/// no other program can create a file with this name at the same time.
+/// Renames a file, but only if no file has the new name, like renameat2() of Linux. The check and
+/// the renaming are separate steps. In the browser, no other program can create a file with this
+/// name between these steps.
 #define RENAME_NOREPLACE 1
 inline int renameat2(int, const char* from, int, const char* to, unsigned) {
   if (access(to, F_OK) != 0) return std::rename(from, to);
