@@ -121,7 +121,7 @@ Run setup_add(CLI::App& command) {
   declare(command, flags->loop.tolerance);
   flags->declare_force(
       command,
-      "add the effect even if the data do not confirm it, and replace the file if it exists");
+      "replace the file if it exists, or add an effect that the data do not confirm to a new file");
   declare_json(command, flags->json);
   flags->report.declare(command);
   command.footer(

@@ -66,8 +66,7 @@ std::vector<double> axis(const std::string& text, const NumberRange& range,
       std::adjacent_find(values.begin(), values.end()) != values.end())
     throw text::InputError(flag + ": " + text::quoted(text) +
                                ": the values must be in ascending order, without duplicates; a "
-                               "comma separates values, "
-                               "and decimals have a point",
+                               "comma separates values, and decimals have a point",
                            {.key = flag});
   return values;
 }

@@ -79,7 +79,8 @@ constexpr std::array commands{
             setup_describe},
 };
 
-/// What a user may have meant whose command has too many words, or too few; with a blank before it.
+/// Returns advice on a command with too many or too few words, such as " (write ...)"; may be
+/// empty.
 std::string advice_on(const CLI::ParseError& problem, std::span<char* const> arguments) {
   if (dynamic_cast<const CLI::ExtrasError*>(&problem))
     return " (write a name with blanks in quotes, as in \"7014 AC\", and a list of values with "

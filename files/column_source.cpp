@@ -62,13 +62,17 @@ const text::Unit* in_header(const text::CsvTable& table, std::size_t column,
   return known_in_header(header, channel);
 }
 
-/// Says that a rule gives another unit than the header.
-void note_contradiction(const ColumnRule& rule, const std::string& header, Recognised& result) {
+/// Notes that a rule gives another unit than the header or the row of units.
+void note_contradiction(const ColumnRule& rule, const text::CsvTable& table, std::size_t column,
+                        Recognised& result) {
   if (!rule.unit || !unit_of(*rule.channel)) return;
-  const text::Unit* const named = known_in_header(header, *rule.channel);
+  const std::string& header = table.header[column];
+  const text::Unit* named = known_in_header(header, *rule.channel);
+  if (!named && column < table.units.size())
+    named = text::find_unit(table.units[column], unit_of(*rule.channel)->dimension);
   if (named && named != rule.unit)
     result.notes.push_back(record::note::unit(
-        fmt::format("column {}: the header gives the unit {}, but {} gives {}, which is used",
+        fmt::format("column {}: the file gives the unit {}, but {} gives {}, which is used",
                     text::in_quotes(header), named->words, rule.place.text(), rule.unit->words),
         {.key = header}));
 }
@@ -281,7 +285,7 @@ Recognised recognise(const text::CsvTable& table, const ReadOptions& options) {
            states_unit(*rule, table, c),
            {}},
           table, result);
-      note_contradiction(*rule, name, result);
+      note_contradiction(*rule, table, c, result);
       continue;
     }
     const auto named = named_column(name, options);

@@ -385,6 +385,7 @@ std::optional<Doubt> unit_of_load(const model::ModelSubject& subject, const Reco
   if (!(rating > 0) || subject.model().shaft) return std::nullopt;
   const double highest = range_of_values(data.values(record::axial_load)).second;
   const auto usual = [&](double load) { return load > 2e-3 * rating && load < 0.5 * rating; };
+  // Our choice: no test of a bearing with C0 = 44 kN stays below 7 N, and 6 kN are a usual load.
   if (highest > 0 && highest < 1.5e-4 * rating && usual(1e3 * highest))
     return Doubt{fmt::format("axial loads up to {:.4g} N are very small for C0 = {:.4g} N: are the "
                              "values in kN instead of N?",

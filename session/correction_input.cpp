@@ -108,7 +108,7 @@ std::string when(const record::Record& record, std::size_t row) {
   return fmt::format("{} ({:.4g} s)", record.place(row), record.value(record::time, row));
 }
 
-/// How far outside, in widths of the range.
+/// Largest distance of the input from its range, in widths of the range.
 double excess(const correction::Beyond::Part& p) {
   if (p.together()) return -1.0;  // last
   return (p.farthest > p.upper ? p.farthest - p.upper : p.lower - p.farthest) / (p.upper - p.lower);

@@ -36,12 +36,12 @@ fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
   return fit::average_dwells(data);
 }
 
-/// The model of a verdict; what its file assumes is fitted too where the record determines it.
+/// Returns the model for a verdict, with assumed values free if the record determines them.
 std::shared_ptr<const fit::Subject> of_verdict(const LoopQuestion& asked) {
   return asked.model->with_assumed_free(asked.subject, asked.data, asked.per_record);
 }
 
-/// Parameters that only the model of a verdict has free.
+/// Returns the parameters that are free only in the model for a verdict.
 Names assumed_in(const LoopQuestion& asked, const fit::Subject& of_verdict) {
   const Names given = asked.subject->free();
   Names names = of_verdict.free();
@@ -53,13 +53,14 @@ Names assumed_in(const LoopQuestion& asked, const fit::Subject& of_verdict) {
 
 std::string id_of(const std::string& parameter) { return parameter.substr(0, parameter.find('.')); }
 
-/// What a fit has made of them.
+/// Fitted values of the assumed parameters.
 struct AssumedValues {
-  std::string text;        ///< the corrected data; empty where there are none
-  bool believable = true;  ///< each as far off as people guess wrong
+  std::string text;        ///< the corrected data; empty if no value changed
+  bool believable = true;  ///< true if each value is in its plausible range
 };
 
-constexpr double unchanged = 0.01;  // of a factor
+constexpr double unchanged =
+    0.01;  // our choice: a smaller change of a factor is not worth a warning
 
 AssumedValues assumed_values(const LoopQuestion& asked, const fit::Subject& of_verdict,
                              std::span<const record::Parameter> fitted) {
@@ -83,7 +84,8 @@ void tell_of_assumed(const AssumedValues& values, std::vector<record::Note>& mes
       values.text)));
 }
 
-/// A temperature that nobody assigned hides in the noise, or as another effect.
+/// Warns of a temperature column that [columns] does not assign. Its variation would count as noise
+/// or as another effect.
 void tell_of_no_temperature(const record::Record& data, std::vector<record::Note>& messages) {
   const bool filled_in =
       std::any_of(data.notes.begin(), data.notes.end(), [](const record::Note& note) {

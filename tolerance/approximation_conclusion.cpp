@@ -114,7 +114,7 @@ void Inquiry::fill() {
                       c->id)));
 }
 
-/// What the readings are made of, with the best.
+/// Divides the readings into the contributions of the effects of the best fit.
 void Inquiry::explain(const Tried& best) {
   const auto at_rows = [&](const fit::Subject& subject) {
     const std::vector<double> all = fit::predict(subject, record_);
@@ -155,7 +155,7 @@ std::string Inquiry::error(const Approximation& a) const {
 
 std::string Inquiry::error(const Tried& t) const { return error(t.fit); }
 
-/// Of wrong data of the model alone what they should say.
+/// Names the effects of the verdict; for wrong data alone, also their corrected values.
 std::string Inquiry::found_text() const {
   const Tried& best = *found_.front();
   if (const std::vector<std::string> data = data_of(best);

@@ -186,7 +186,7 @@ void Inquiry::describe() {
       result_.not_testable.push_back({id, "needs " + why});
 }
 
-/// Whether another explanation comes so near the best that the record does not tell them apart.
+/// Returns true if the record does not separate another explanation from the best one.
 bool Inquiry::rivals(const Tried& other, const Tried& best) const {
   const double ratio = other.error() / best.error(), base = base_.rms_held_out;
   const double lambda = recorded_.duration / half_an_hour * (ratio * ratio - 1.0);

@@ -258,8 +258,7 @@ std::string Investigation::unexplained_text() const {
   if (result_.shape)
     shape = fmt::format(
         " A power law describes {1:.0f} % of the misfit: {0}; raceway add MODEL shape --data DATA "
-        "adds this "
-        "law.",
+        "adds this law.",
         result_.shape->statement, 100.0 * result_.shape->explained_share);
   std::string pairs;
   if (const auto& weak = search_->weak_pairs(); !weak.empty())

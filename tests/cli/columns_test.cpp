@@ -13,6 +13,18 @@ using testing::Not;
 
 const std::string german_export = tests::source_dir() + "/data/measurements/german_export.csv";
 
+/// The header says kN; the map, which a user may have to write against the header, says N.
+TEST(Columns, AUnitAgainstTheHeaderIsNamed) {
+  const ScratchFolder folder;
+  const std::string at = "cd '" + folder.path().string() + "'; ";
+  const Result r =
+      run_shell(at + "$raceway new 'S 6014 C' --law palmgren -o my.toml; $raceway check my.toml " +
+                german_export +
+                " --suggest-columns | sed 's/\"kN\"/\"N\"/' >map.toml; $raceway check my.toml " +
+                german_export + " --columns map.toml --drop-nan");
+  EXPECT_THAT(r.err, HasSubstr("the file gives the unit kN, but map.toml"));
+}
+
 TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
   const ScratchFolder folder;
   const std::string at = "cd '" + folder.path().string() + "'; ";

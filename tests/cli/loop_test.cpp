@@ -107,6 +107,19 @@ TEST(Loop, AGuessThatTheRecordCannotTellStays) {
   EXPECT_THAT(found.out, Not(HasSubstr("viscosity-slope.factor_at_100_C")));
 }
 
+/// --force replaces a file, and adds a refused effect, but does not do both at once.
+TEST(Loop, ARefusedEffectReplacesNoModel) {
+  const ScratchFolder scratch;
+  const std::string better = scratch.write("better.toml", "a good model\n");
+  const std::string add = "add " + rig_folder_of_loop + "model.toml torque-time-drift --data " +
+                          rig_folder_of_loop + "train.csv --force -o ";
+  const Result kept = run(add + better);
+  EXPECT_EQ(kept.status, 1);
+  EXPECT_THAT(kept.err, HasSubstr("is not replaced, because the effect was refused: "));
+  EXPECT_EQ(file_text(better), "a good model\n");
+  EXPECT_EQ(run(add + scratch.file("new.toml")).status, 0);
+}
+
 /// A temperature that is in the file and not in the map is named.
 TEST(Loop, AForgottenTemperatureIsNamed) {
   const ScratchFolder scratch;

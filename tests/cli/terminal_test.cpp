@@ -183,7 +183,7 @@ TEST(StandardInput, StandsForEveryFileThatIsRead) {
     const Result named = run(a + file + b),
                  through = run_shell("cat " + file + " | $raceway " + a + piped + b);
     EXPECT_EQ(through.status, 0) << a << b << through.err;
-    // What was read from a pipe cannot be read again.
+    // The program suggests no next step for standard input, because it cannot be read twice.
     std::string out = named.out.substr(0, named.out.find("\nnext step: "));
     for (std::size_t at = 0; (at = out.find(file)) != out.npos;)
       out.replace(at, file.size(), "standard input");
