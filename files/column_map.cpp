@@ -39,7 +39,7 @@ constexpr Key rule_keys[]{
     {"column", a_text, is_required,
      "header of the column in your file. Replace COLUMN by the name of the column in raceway, such "
      "as speed_rpm. Short forms: COLUMN = \"header\", or COLUMN = number if all rows have the same "
-     "value"},
+     "value. If files have different headers: COLUMN = [\"header 1\", \"header 2\"]"},
     {"unit", a_text, "from the header",
      "unit of the column in your file; \"excel\" for Excel serial dates (days)"},
     {"factor", between(-1e9, 1e9), 1.0,
@@ -138,9 +138,10 @@ ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& n
   } else if (node.is_table()) {
     read_rule_table(s, key, *node.as_table(), rule);
   } else {
-    wrong(s, key, node,
-          "must be the header of a column in quotes, a number for all rows, or { column = "
-          "\"...\", unit = \"...\" }");
+    wrong(
+        s, key, node,
+        "must be the header of a column in quotes, a list of such headers, a number for all rows, "
+        "or { column = \"...\", unit = \"...\" }");
   }
   return rule;
 }
@@ -233,6 +234,13 @@ const ColumnRule* ColumnMap::find(std::string_view header) const {
   return nullptr;
 }
 
+std::string ColumnMap::headers_of(const Channel& channel) const {
+  std::vector<std::string> headers;
+  for (const ColumnRule& rule : rules)
+    if (*rule.channel == channel && !rule.constant) headers.push_back(text::in_quotes(rule.header));
+  return text::listed(headers, "or");
+}
+
 std::vector<KeyTable> column_tables() {
   return {{"columns", columns_keys}, {"columns.COLUMN", rule_keys}};
 }
@@ -256,10 +264,10 @@ ColumnMap read_columns(const ModelTables& tables) {
   std::map<std::uint64_t, std::pair<const toml::key*, const toml::node*>> lines;
   for (const auto& [key, node] : *s.table())
     if (!is_of_file(key.str())) lines.emplace(order_of(key), std::pair(&key, &node));
-  for (const auto& [_, entry] : lines) {
-    ColumnRule rule = read_rule(s, *entry.first, *entry.second, map);
+  const auto add = [&](const toml::key& key, const toml::node& node) {
+    ColumnRule rule = read_rule(s, key, node, map);
     for (const ColumnRule& other : map.rules) {
-      if (*other.channel == *rule.channel)
+      if (*other.channel == *rule.channel && other.key != rule.key)
         throw text::InputError(
             fmt::format("{}: [columns] {} and {} are the same quantity; keep one of them",
                         rule.place.text(), other.key, rule.key),
@@ -271,6 +279,19 @@ ColumnMap read_columns(const ModelTables& tables) {
             rule.place);
     }
     map.rules.push_back(std::move(rule));
+  };
+  for (const auto& [_, line] : lines) {
+    const auto& [key, node] = line;
+    const toml::array* const headers = node->as_array();
+    if (!headers || headers->empty()) {
+      add(*key, *node);
+      continue;
+    }
+    for (const toml::node& one : *headers) {
+      if (one.is_number())
+        wrong(s, *key, *node, "a list may have only headers in quotes, or { column = \"...\" }");
+      add(*key, one);
+    }
   }
   return map;
 }

@@ -53,8 +53,9 @@ struct NamedChannel {
 /// quantities.
 [[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
 
-/// One line of the table [columns] in a model file. The line states which column of a measurement
-/// file contains a quantity, or gives a constant value for the quantity.
+/// One entry of the table [columns] in a model file. The entry states which column of a measurement
+/// file contains a quantity, or gives a constant value for the quantity. A line with a list of
+/// columns gives one rule for each column.
 struct ColumnRule {
   std::string key;                 ///< key as written in [columns]: "friction_torque_Nmm"
   const record::Channel* channel;  ///< quantity of this key
@@ -94,6 +95,8 @@ struct ColumnMap {
   std::vector<Combination> transducers{};  ///< only for a time record
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
+  /// Returns the headers in the rules for this quantity as a text with quotes: "Zeit" or "Time".
+  [[nodiscard]] std::string headers_of(const record::Channel& channel) const;
   /// Returns the transducer in [transducers] with this name, which may end with any unit of length,
   /// such as "x1_um" or "x1 [nm]"; empty if there is none.
   [[nodiscard]] std::optional<NamedChannel> find_transducer(std::string_view name) const;

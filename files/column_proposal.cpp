@@ -82,6 +82,15 @@ std::string line_of(const text::CsvTable& table, const ColumnProposal& p) {
                      p.unit->suffix);
 }
 
+std::string rule_text(const ColumnRule& rule) {
+  if (rule.constant) return fmt::format("{}", *rule.constant);
+  std::string text = "{ column = " + text::in_quotes(rule.header);
+  if (rule.unit || rule.excel_date)
+    text += fmt::format(", unit = \"{}\"", rule.excel_date ? "excel" : rule.unit->suffix);
+  if (rule.factor != 1.0) text += fmt::format(", factor = {}", rule.factor);
+  return text + " }";
+}
+
 /// Lines of the map that the user gave.
 std::string rules_text(const ColumnMap& map) {
   std::string text;
@@ -90,17 +99,14 @@ std::string rules_text(const ColumnMap& map) {
   if (map.settings_hold)
     text += fmt::format("settings_hold = \"{} row\"\n",
                         *map.settings_hold == record::SettingsHold::from_row ? "from" : "until");
-  for (const ColumnRule& rule : map.rules) {
-    text += rule.key + " = ";
-    if (rule.constant) {
-      text += fmt::format("{}\n", *rule.constant);
-      continue;
-    }
-    text += "{ column = " + text::in_quotes(rule.header);
-    if (rule.unit || rule.excel_date)
-      text += fmt::format(", unit = \"{}\"", rule.excel_date ? "excel" : rule.unit->suffix);
-    if (rule.factor != 1.0) text += fmt::format(", factor = {}", rule.factor);
-    text += " }\n";
+  for (std::size_t first = 0, next = 0; first < map.rules.size(); first = next) {
+    const std::string& key = map.rules[first].key;
+    std::vector<std::string> columns;
+    for (; next < map.rules.size() && map.rules[next].key == key; ++next)
+      columns.push_back(rule_text(map.rules[next]));
+    const bool several = columns.size() > 1;
+    text += fmt::format("{} = {}{}{}\n", key, several ? "[" : "", fmt::join(columns, ", "),
+                        several ? "]" : "");
   }
   return text;
 }

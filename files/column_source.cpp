@@ -225,7 +225,7 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
   for (const ColumnRule& rule : options.columns.rules) {
     if (rule.constant) continue;
     if (const ColumnSource* const own = found.find(*rule.channel)) {
-      if (!own->unit_stated && (rule.unit || rule.factor != 1.0))
+      if (!options.columns.find(own->name) && (rule.unit || rule.factor != 1.0))
         found.notes.push_back(record::note::read_as(
             fmt::format("column {} is read directly, because its name is a column name of raceway: "
                         "the rule in {} is not used, and the file has no column \"{}\"",
@@ -238,9 +238,10 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
       continue;
     }
     throw text::InputError(
-        fmt::format("{}: the column \"{}\" is missing; {} uses it for {}{}; the header has {}",
-                    table.header_place().text(), rule.header, rule.place.text(), rule.key,
-                    text::suggestion(rule.header, table.header), text::listed(table.header)),
+        fmt::format("{}: the column {} is missing; {} uses it for {}{}; the header has {}",
+                    table.header_place().text(), options.columns.headers_of(*rule.channel),
+                    rule.place.text(), rule.key, text::suggestion(rule.header, table.header),
+                    text::listed(table.header)),
         table.header_place(rule.header));
   }
 }

@@ -610,8 +610,9 @@ SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
           return std::find(absent.begin(), absent.end(), rule) == absent.end();
         }))
       throw text::InputError(fmt::format("{}: neither this file nor the files joined with it have "
-                                         "the column \"{}\", which {} uses for {}",
-                                         source.name, rule->header, rule->place.text(), rule->key),
+                                         "the column {}, which {} uses for {}",
+                                         source.name, options.columns.headers_of(*rule->channel),
+                                         rule->place.text(), rule->key),
                              rule->place);
   return files;
 }

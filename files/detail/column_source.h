@@ -42,8 +42,7 @@ struct Recognised {
 };
 
 /// Finds the columns of a file. Throws InputError if a column that a rule of `options.columns`
-/// names is missing, if two columns give the same quantity, and if the unit in a rule contradicts
-/// the unit in the header.
+/// names is missing, and if two columns give the same quantity.
 [[nodiscard]] Recognised recognise(const text::CsvTable& table, const ReadOptions& options);
 
 /// Returns true if a column contains dates or times of day, not numbers.

@@ -404,22 +404,26 @@ TEST(LoggerExports, ChangesOfClocksAreRecognisedWhereRowsAreUneven) {
 }
 
 TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
-  // Temperatures every minute, the speed when it changes, readings of the probe 20 s later.
+  // Temperatures every minute, the speed when it changes, readings of the probe 20 s later; each
+  // file has another name for the time.
   const Exported temperatures([](std::size_t, Cells& cells) {
     cells = {cells[0], cells[2], cells[3]};
   });
-  std::string last, speeds, probe = "time_s,displacement_z_um\n";
+  std::string last, speeds, probe = "Timestamp,displacement_z_um\n";
   std::istringstream in(file_text(folder_of_record + "train.csv"));
   for (std::string line; std::getline(in, line);) {
     const Cells cells = cells_of(line);
     // The number of the block in the program is kept.
     if (cells[1] != last)
-      speeds += cells[0] + "," + cells[1] + (last.empty() ? ",block" : ",10") + "\n";
+      speeds += (last.empty() ? "Zeit" : cells[0]) + "," + cells[1] +
+                (last.empty() ? ",block" : ",10") + "\n";
     last = cells[1];
     if (cells[0] != "time_s") probe += cells[0] + ".0," + cells[4] + "\n";
   }
-  const std::string beside = " --beside " + temperatures.folder.write("speed.csv", speeds) +
-                             " --beside " + temperatures.folder.write("probe.csv", probe);
+  const std::string beside =
+      " --beside " + temperatures.folder.write("speed.csv", speeds) + " --beside " +
+      temperatures.folder.write("probe.csv", probe) + " --columns " +
+      temperatures.folder.write("map.toml", "[columns]\ntime_s = [\"Zeit\", \"Timestamp\"]\n");
   expect_truth(temperatures.file, beside);
   const Result checked = run("check " + record_model + " " + temperatures.file + beside);
   ASSERT_EQ(checked.status, 0) << checked.err;

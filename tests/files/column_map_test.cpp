@@ -176,6 +176,26 @@ TEST(ColumnMap, AFileWithOurNamesNeedsNoRule) {
                    7);
 }
 
+TEST(ColumnMap, OneOfSeveralHeadersIsEnough) {
+  const std::string map =
+      "[columns]\nfriction_torque_Nmm = [\"M\", { column = \"Moment\", unit = \"Nm\" }]\n"
+      "speed_rpm = [\"n\", \"speed\"]\n";
+  for (const std::string header : {"n,M", "speed,M"}) {
+    const Record r = read(header + "\n100,5\n", map);
+    EXPECT_DOUBLE_EQ(r.value(record::speed, 0), 100 * rpm);
+    EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 5e-3);
+  }
+  EXPECT_DOUBLE_EQ(read("n,Moment\n100,5\n", map).value(record::friction_torque, 0), 5);
+  EXPECT_EQ(map_error("n,speed,M\n100,100,5\n", map),
+            "d.csv:1: columns n and speed are both read as speed; keep one of them");
+  EXPECT_THAT(
+      map_error("n,T\n100,5\n", map),
+      HasSubstr("d.csv:1: the column \"M\" or \"Moment\" is missing; map.toml:2 uses it for "
+                "friction_torque_Nmm"));
+  EXPECT_THAT(map_error("n,T\n100,5\n", "[columns]\naxial_load_N = [\"F\", 100]\n"),
+              HasSubstr("a list may have only headers in quotes"));
+}
+
 TEST(ColumnMap, WhatIsWrongInItIsNamedWithItsLine) {
   const std::string data = "speed_rpm,friction_torque_Nmm\n1000,5\n";
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpn = \"n\"\n"),
