@@ -94,7 +94,7 @@ void Judge::Worst::look(double value_here, double limit_here, const std::string&
                         const bearing::OperatingPoint& point_here) {
   if (!(value_here > limit_here)) return;
   ++points;
-  if (points > 1 && !(value_here > value)) return;
+  if (points > 1 && !(value_here - limit_here > value - limit)) return;
   value = value_here;
   limit = limit_here;
   place = place_here;
@@ -102,18 +102,19 @@ void Judge::Worst::look(double value_here, double limit_here, const std::string&
 }
 
 void Judge::Worst::add(const Worst& other) {
-  const bool is_worse = other.points > 0 && (points == 0 || other.value > value);
+  const bool is_worse =
+      other.points > 0 && (points == 0 || other.value - other.limit > value - limit);
   const std::size_t both = points + other.points;
   if (is_worse) *this = other;
   points = both;
 }
 
 void Judge::add(const Judge& other) {
-  constexpr std::array all{&Judge::lost_,      &Judge::load_,         &Judge::pressure_,
-                           &Judge::bottom_,    &Judge::far_,          &Judge::running_,
-                           &Judge::catalogue_, &Judge::speed_factor_, &Judge::ring_,
-                           &Judge::preload_,   &Judge::stiff_,        &Judge::hot_,
-                           &Judge::table_};
+  constexpr std::array all{&Judge::lost_,     &Judge::little_load_, &Judge::load_,
+                           &Judge::pressure_, &Judge::bottom_,      &Judge::far_,
+                           &Judge::running_,  &Judge::catalogue_,   &Judge::speed_factor_,
+                           &Judge::ring_,     &Judge::preload_,     &Judge::stiff_,
+                           &Judge::hot_,      &Judge::table_};
   for (Worst Judge::*const worst : all) (this->*worst).add(other.*worst);
   if (std::isnan(mounted_)) mounted_ = other.mounted_;
   points_ += other.points_;
@@ -124,6 +125,7 @@ void Judge::look(const bearing::Bearing& bearing, const std::string& place,
                  const bearing::OperatingPoint& point, const JudgedBearing& state) {
   ++points_;
   lost_.look(state.lost_balls, 0.0, place, point);
+  little_load_.look(-state.axial_load, -state.minimum_load, place, point);
   load_.look(static_load(bearing, state), bearing.geometry().static_load_rating, place, point);
   const double pressure = std::fmax(state.inner_pressure, state.outer_pressure);
   pressure_.look(pressure, bearing::static_limit_pressure, place, point);
@@ -227,6 +229,10 @@ void Judge::add_notes(Findings& findings) const {
   add(lost, lost_, 1.0,
       fmt::format("{}{:.0f} ball{} lost contact with the inner race", points_ == 1 ? "" : "up to ",
                   lost_.value, lost_.value == 1.0 ? " has" : "s have"));
+  add(limits::minimum_load, little_load_, -1.0,
+      fmt::format("the axial load of {:.4g} N is below the minimum load of {:.4g} N, so balls may "
+                  "skid",
+                  -little_load_.value, -little_load_.limit));
   add(bottom, bottom_, 1.0,
       fmt::format("without an axial load, the balls run at the bottom of the grooves, at a contact "
                   "angle of about 0 deg; an axial load of {:.3g} N would press half of the balls "

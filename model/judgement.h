@@ -52,6 +52,8 @@ inline constexpr Limit ring_temperature{"ring_temperature", 80.0, "C"};
 /// strong preload is 6 times the light preload and twice the medium preload. At a ratio of 3, light
 /// preload becomes medium preload, and medium preload becomes higher than strong preload.
 inline constexpr Limit preload_factor{"preload_factor", 3.0, "times"};
+/// Smallest axial load of a rotating bearing: bearing::minimum_load().
+inline constexpr Limit minimum_load{"minimum_load", unset, "N", false};
 /// Viscosity above which little oil reaches the contacts. An oil at its pour point [ASTM D97] has
 /// about 1e5 to 1e6 mm²/s (not checked in a printed source).
 inline constexpr Limit oil_stiff{"stiff_oil", 1e5, "mm2/s"};
@@ -95,7 +97,8 @@ using Findings = std::vector<Finding>;
 /// Results of one bearing at one operating point [SI]; NaN for unknown values.
 struct JudgedBearing {
   double axial_load = unset, radial_load = unset;
-  double lost_balls = unset;  ///< number of balls without contact to the inner race
+  double minimum_load = unset;  ///< minimum axial load at this speed
+  double lost_balls = unset;    ///< number of balls without contact to the inner race
   double inner_pressure = unset, outer_pressure = unset;
   /// Smallest and largest contact angle at the inner ring, of the balls in contact [rad].
   double least_inner_angle = unset, largest_inner_angle = unset;
@@ -149,7 +152,7 @@ class Judge {
   void add_heat(Findings& findings) const;
 
   const Model* model_;
-  Worst lost_, load_, pressure_, bottom_, far_;
+  Worst lost_, little_load_, load_, pressure_, bottom_, far_;
   Worst running_, catalogue_, speed_factor_, ring_, preload_, stiff_, hot_, table_;
   double stiff_below_;  ///< temperature at which the oil reaches its viscosity limit [K]
   double mounted_ = unset;

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <variant>
 
+#include "bearing/ball_equilibrium.h"
 #include "bearing/contact_pressure.h"
+#include "bearing/frequencies.h"
 #include "effects/catalogue.h"
 #include "effects/interference_fit.h"
 #include "model/row.h"
@@ -54,14 +56,18 @@ void judge_running(const model::Model& model, std::size_t bearing, const spindle
                    const spindle::BearingState& state, const bearing::ContactPressure& pressures,
                    Judge& judge) {
   const double oil = 0.5 * (state.inner_ring_temperature + state.outer_ring_temperature);
-  judge.look(*model.shaft->arrangement.bearings()[bearing].bearing, place_of(model, bearing),
-             {.speed = inputs.speed, .axial_load = inputs.axial_load, .temperature = oil},
-             {.axial_load = state.force,
-              .radial_load = state.radial_force,
-              .inner_pressure = pressures.inner,
-              .outer_pressure = pressures.outer,
-              .inner_ring_temperature = state.inner_ring_temperature,
-              .outer_ring_temperature = state.outer_ring_temperature});
+  const bearing::Bearing& b = *model.shaft->arrangement.bearings()[bearing].bearing;
+  const double cage = nominal_frequencies(b.geometry(), b.geometry().contact_angle).cage;
+  judge.look(
+      b, place_of(model, bearing),
+      {.speed = inputs.speed, .axial_load = inputs.axial_load, .temperature = oil},
+      {.axial_load = state.force,
+       .radial_load = state.radial_force,
+       .minimum_load = minimum_load(b, cage * cage * bearing::full_centrifugal(b, inputs.speed)),
+       .inner_pressure = pressures.inner,
+       .outer_pressure = pressures.outer,
+       .inner_ring_temperature = state.inner_ring_temperature,
+       .outer_ring_temperature = state.outer_ring_temperature});
 }
 
 /// The pressure of a bearing alone under an axial and a radial load; NaN without balance.

@@ -80,6 +80,30 @@ TEST(Judgement, PreloadIsWhatBothSetsCarry) {
               HasSubstr("2400 N, 8 times the mounted preload of 300 N"));
 }
 
+TEST(Judgement, ABearingWithTooLittleLoadIsReported) {
+  const Model model = fit::synthetic_model();
+  const auto little = [&](double load) {
+    return of(limits::minimum_load,
+              judged(model, {.speed = 100.0},
+                     {.axial_load = load, .radial_load = 0.0, .minimum_load = 50.0}));
+  };
+  EXPECT_TRUE(little(50.5).limit.empty());
+  EXPECT_FALSE(little(30.0).is_warning);
+  EXPECT_DOUBLE_EQ(little(30.0).value, 30.0);
+  EXPECT_DOUBLE_EQ(little(30.0).allowed, 50.0);
+  EXPECT_THAT(little(30.0).text,
+              HasSubstr("the axial load of 30 N is below the minimum load of 50 N"));
+}
+
+TEST(Judgement, TheWorstPointIsFarthestFromItsLimit) {
+  const Model model = fit::synthetic_model();
+  Judge fast(model), slow(model);
+  fast.look(ball_bearing(), "", {.speed = 200.0}, {.axial_load = 60.0, .minimum_load = 200.0});
+  slow.look(ball_bearing(), "", {.speed = 100.0}, {.axial_load = 30.0, .minimum_load = 50.0});
+  slow.add(fast);
+  EXPECT_DOUBLE_EQ(of(limits::minimum_load, slow.findings()).value, 60.0);
+}
+
 TEST(Judgement, SpeedsGoByTheCatalogueTheSupplyAndTheBalls) {
   Model model = fit::synthetic_model();
   model.printed_speed = {.oil = 19000 * rpm, .grease = 14000 * rpm};
