@@ -383,6 +383,12 @@ Outcome judge(const Trial& trial) {
   if (!trial.kind.empty())
     if (const auto right = real_rig(trial.kind).accepted; !right.empty())
       o.accepted = {{right.begin(), right.end()}};
+  if (rig.hidden.size() == 1)
+    for (std::size_t k = 0; k < o.answer.names.size(); ++k)
+      if (o.answer.names[k] == rig.hidden.front().effect->id) {
+        const double size = rig.hidden.front().values.size;
+        o.size_held = size >= o.answer.intervals[k].lower && size <= o.answer.intervals[k].upper;
+      }
   // Of the contacts it would take longer than all else.
   if (rig.hidden.size() == 1 && trial.kind.empty() && trial.block != "contact")
     o.visibility = cached_visibility(rig);
@@ -741,10 +747,11 @@ std::vector<Bar> bars(const std::vector<Outcome>& judged) {
   }
   for (const RealRig& rig : real_rigs())
     for (const Demand& d : rig.demands)
-      out.push_back(share("r", std::string(rig.id) + ": " + std::string(d.what), d.at_least, d.must,
-                          d.good,
-                          count(
-                              outcomes, [&](O o) { return o.trial.kind == rig.id; }, d.hit)));
+      out.push_back(share(
+          "r", std::string(rig.id) + ": " + std::string(d.what), d.at_least, d.must, d.good,
+          count(
+              outcomes, [&](O o) { return o.trial.kind == rig.id && (!d.among || d.among(o)); },
+              d.hit)));
   out.push_back(share("f7", "base 0.70/0.30: a base exponent in the verdict", true, 95, 98,
                       count(outcomes, block("base"), [](O o) {
                         return contains(o.answer.names, "viscous-exponent") ||

@@ -32,6 +32,8 @@ struct Outcome {
   bool right_after_proposed = false, right_after_same = false;
   bool wrong_after_proposed = false;
   std::optional<OracleAnswer> oracle{}, oracle_after_proposed{};
+  /// The verdict names the one hidden effect: its interval holds the true size.
+  std::optional<bool> size_held{};
   std::string changed_by;  ///< presentation under which the answer was another one
   bool outside = false;
   /// No size that leaves a torque reaches half the wished share: no case for a bar on effects.

@@ -78,7 +78,10 @@ void fill(Answer& answer, const verdict::Diagnosis& d) {
   answer.verdict = verdict::name(d.verdict);
   answer.sentence = d.sentence;
   for (const verdict::RankedEffect& e : d.effects)
-    if (e.in_verdict) answer.names.push_back(e.id);
+    if (e.in_verdict) {
+      answer.names.push_back(e.id);
+      answer.intervals.push_back(e.parameters[e.size].interval);
+    }
   // By rank: a verdict lists the base law's own exponents first whatever their gain.
   const auto best =
       std::max_element(d.effects.begin(), d.effects.end(),

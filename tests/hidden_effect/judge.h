@@ -6,14 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "record/parameter.h"
 #include "tests/hidden_effect/generator.h"
 
 namespace hidden_effect {
 
 /// What the library answers to one rig, in the generator's units.
 struct Answer {
-  std::string verdict;                 ///< as in JSON; "failed" where no diagnosis came back
-  std::vector<std::string> names;      ///< effects of the verdict, the leading one first
+  std::string verdict;             ///< as in JSON; "failed" where no diagnosis came back
+  std::vector<std::string> names;  ///< effects of the verdict, the leading one first
+  /// 95 % intervals of the sizes of `names`, in the unit of the model file.
+  std::vector<raceway::record::Interval> intervals;
   std::string first;                   ///< effect of the largest gain, whatever the verdict
   std::vector<Point> suggested;        ///< operating points it would measure next
   std::vector<std::string> questions;  ///< about units and columns, before the verdict

@@ -23,6 +23,8 @@ bool whole(const Outcome& o) { return o.is({"several-effects"}) && o.names_every
 bool excludes(const Outcome& o) {
   return o.is({"effect", "ambiguous"}) || (o.is({"several-effects"}) && !o.names_every_hidden());
 }
+bool says_size(const Outcome& o) { return o.size_held.has_value(); }
+bool holds_size(const Outcome& o) { return *o.size_held; }
 bool names_radial_load(const Outcome& o) {
   return o.answer.shape.find("radial_load") != std::string::npos;
 }
@@ -99,6 +101,8 @@ constexpr std::array<Demand, 2> data_named{{{"the right name in the verdict", tr
 constexpr std::array<Demand, 2> data_named_85{
     {{"the right name in the verdict", true, 85, 95, right},
      {"a single wrong name", false, 0, 0, single_wrong}}};
+constexpr std::array<Demand, 1> sized{
+    {{"if it is named, the interval holds its size", true, 90, 95, holds_size, says_size}}};
 constexpr std::array<Demand, 2> oils_named{{{"the right name", true, 85, 95, names_hidden},
                                             {"a single wrong name", false, 0, 0, single_wrong}}};
 constexpr std::array<Demand, 2> oils_quiet{
@@ -271,6 +275,12 @@ std::vector<RealRig> make_real_rigs() {
       {"none of ours, of ball loads", lab(houpert_balls), 3, none, no_law},
       {"none of ours, of ball loads, and a constant of 30 %",
        hiding(lab(houpert_balls), {{"torque-offset", 0.3}}), 3, none, constant},
+      {"lab plan, load offset 10 %", hiding(lab(), {{"load-offset", 0.1}}), 3, none, sized},
+      {"lab plan, spin friction 10 %", hiding(lab(), {{"spin-friction", 0.1}}), 3, none, sized},
+      {"logger, load offset 10 %", hiding(logs(0.01, 15.0, 0.0, 0.0), {{"load-offset", 0.1}}), 3,
+       none, sized},
+      {"logger, spin friction 10 %", hiding(logs(0.01, 15.0, 0.0, 0.0), {{"spin-friction", 0.1}}),
+       3, none, sized},
   };
 }
 

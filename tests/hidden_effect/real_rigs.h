@@ -16,6 +16,7 @@ struct Demand {
   bool at_least;      ///< the share should be large
   double must, good;  ///< [%]
   bool (*hit)(const Outcome&);
+  bool (*among)(const Outcome&) = nullptr;  ///< null: among all rigs of the kind
 };
 
 /// A kind of rig as people build them: plan, noise and mistakes of a laboratory.
