@@ -70,6 +70,7 @@ int run(const CorrectFlags& flags) {
   flags.learning.check(flags.if_exists());
   session::Reading reading = flags.reading;
   reading.one_by_one = flags.learning.learn;
+  reading.without_readings = !flags.learning.learn;
   session::SeriesQuestion asked = session::ask_series(messages(), flags.model, flags.data, reading);
   if (flags.learning.learn) {
     run_learning(std::move(asked), flags.learning, flags);

@@ -112,6 +112,8 @@ struct ReadOptions {
   bool of_spindle = false;  ///< true: the file is a time record of a spindle
   /// True: the record has several files, and a column named in [columns] may be in any of them.
   bool of_several = false;
+  /// True: the time record may lack a measured column that [columns] names.
+  bool without_readings = false;
 };
 
 /// Returns all quantities that a measurement file may contain. These include the coast-down time

@@ -108,10 +108,15 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
                       : "is not a time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
     list.push_back(time.value_or(unset));
   }
-  elapsed ? undo_midnights(source, list) : undo_changes_of_clocks(source, list);
   const double first = list.front();
+  clock_start_ = {.kind = elapsed ? ClockKind::elapsed : ClockKind::dates, .begin = first};
+  if (elapsed) {
+    undo_midnights(source, list);
+  } else {
+    clock_start_->has_zone = !table_.is_numeric(source.column) && text::has_zone(begin);
+    clock_start_->changes = undo_changes_of_clocks(source, list);
+  }
   for (double& time : list) time -= first;
-  clock_start_ = {elapsed ? ClockKind::elapsed : ClockKind::dates, first};
   if (!std::isnan(first) && !elapsed)
     notes_.push_back(
         record::note::read_as(fmt::format("column {} has {}: time_s is measured from {}",
@@ -252,11 +257,13 @@ bool ColumnReader::Reading::jumps() const {
 }
 
 /// A clock of local time goes back an hour, or leaves one out, in the night of a change.
-void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list) {
+std::vector<ColumnReader::ClockChange> ColumnReader::undo_changes_of_clocks(
+    const ColumnSource& source, std::vector<double>& list) {
+  std::vector<ClockChange> changes;
   std::vector<double> steps;
   for (std::size_t row = 1; row < list.size(); ++row)
     if (list[row] > list[row - 1]) steps.push_back(list[row] - list[row - 1]);
-  if (steps.empty()) return;
+  if (steps.empty()) return changes;
   constexpr double hour = 3600.0, short_gap = 1200.0;
   const double usual = record::median(steps);
   // Rows need not be even, and some may be missing there.
@@ -273,6 +280,7 @@ void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vecto
     if ((back || forward) && text::clocks_may_change(before, forward) &&
         (table_.is_numeric(source.column) || !text::has_zone(stamp(source, row)))) {
       shift += back ? hour : -hour;
+      changes.push_back({before, table_.line(row), forward});
       notes_.push_back(record::note::read_as(
           fmt::format("line {}: the clock goes {} by one hour, at {} of summer time: time_s "
                       "continues without a jump",
@@ -283,6 +291,7 @@ void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vecto
     before = now;
     list[row] += shift;
   }
+  return changes;
 }
 
 std::vector<double> ColumnReader::named(const ColumnSource& source,

@@ -233,6 +233,7 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
             rule.place));
       continue;
     }
+    if (options.without_readings && rule.channel->role == record::Role::measured) continue;
     if (options.of_several) {
       found.not_here.push_back(&rule);
       continue;

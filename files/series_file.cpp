@@ -92,8 +92,9 @@ class SeriesReader {
     std::vector<std::string> others = found_.others;
     for (const ColumnSource& source : found_.columns) others.push_back(source.name);
     throw text::InputError(
-        fmt::format("{}:{}: column {} is missing{}{}; the header has {}\n{}", table_.source,
-                    table_.header_line, channel.name, why,
+        fmt::format("{}:{}: column {} is missing{}{}; the header has {}\n{}. If another file has "
+                    "this column, add --beside FILE",
+                    table_.source, table_.header_line, channel.name, why,
                     why.empty() ? text::suggestion(channel.name, others) : std::string(),
                     text::listed(table_.header), if_named_otherwise(table_)),
         place_in_header(table_, channel.name));
@@ -225,7 +226,9 @@ class SeriesReader {
 };
 
 /// Steps of time far beyond the usual one.
-void note_gaps(Record& result) {
+void note_gaps(Record& result, bool of_spindle) {
+  constexpr std::string_view warm_start =
+      ", and initial_state = \"free\" in the model lets the run start warm";
   constexpr double far_beyond = 20.0, an_hour = 3600.0;
   const std::span<const double> time = result.values(record::time);
   std::vector<double> steps;
@@ -249,10 +252,11 @@ void note_gaps(Record& result) {
                     result.settings_hold == record::SettingsHold::until_row
                         ? "the settings of the row after the gap apply"
                         : "temperatures are interpolated, and settings keep their value") +
-            (longest > an_hour ? ". If the machine ran during the gap, enter another run_id for "
-                                 "the rows after the gap; a new run starts from rest, "
-                                 "with a new zero of the displacement"
-                               : ""),
+            (longest > an_hour
+                 ? ". If the settings changed during the gap, enter another run_id for "
+                   "the rows after the gap; the displacement then has a new zero" +
+                       std::string(of_spindle ? "" : warm_start)
+                 : ""),
         {.line = result.line(first)}));
 }
 
@@ -432,12 +436,13 @@ class SeriesOfFiles {
   /// All times count from the first row of the first file.
   void find_starts() {
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-      for (const record::Column& c : parts_[k].columns)
-        if (c.channel->role == Role::run)
-          throw text::InputError(fmt::format("{}: column {}: not possible here, because files that "
-                                             "are joined by time are a single run",
-                                             parts_[k].source, c.channel->name),
-                                 {.file = parts_[k].source, .key = std::string(c.channel->name)});
+      const std::span<const double> time = parts_[k].values(record::time);
+      if (!std::is_sorted(time.begin(), time.end()))
+        throw text::InputError(
+            fmt::format("{}: the times start again in each run, so other files cannot be joined; "
+                        "give dates, or times that increase through all runs",
+                        parts_[k].source),
+            {.file = parts_[k].source, .key = "time_s"});
       const auto &first = files_.front()->clock_start(), &own = files_[k]->clock_start();
       if (first.has_value() != own.has_value() || (first && first->kind != own->kind))
         throw text::InputError(
@@ -445,9 +450,46 @@ class SeriesOfFiles {
                 "the times of {} and {} cannot be joined, because one has {} and the other has {}",
                 parts_.front().source, parts_[k].source, words(first), words(own)),
             {.file = parts_[k].source, .key = "time_s"});
-      if (!first) continue;
-      for (double& t : parts_[k].find(record::time)->values) t += own->begin - first->begin;
+      for (std::size_t other = 0; first && other < k; ++other) require_one_clock(other, k);
     }
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      if (files_[k]->clock_start())
+        for (double& t : parts_[k].find(record::time)->values)
+          t += files_[k]->clock_start()->begin - files_.front()->clock_start()->begin;
+  }
+
+  /// Throws InputError where two files are of different time zones, or where the clock of one
+  /// changes to or from summer time and that of the other does not.
+  void require_one_clock(std::size_t a, std::size_t b) const {
+    const ColumnReader::ClockStart &one = *files_[a]->clock_start(),
+                                   &other = *files_[b]->clock_start();
+    const auto refuse = [&](const std::string& problem, std::size_t file, int line) {
+      throw text::InputError(
+          fmt::format("{}, so the files cannot be joined. Give the dates of all files with their "
+                      "offset from UTC, such as 2024-10-27T02:30:00+01:00, or all in standard time",
+                      problem),
+          {.file = parts_[file].source, .line = line, .key = "time_s"});
+    };
+    if (one.has_zone != other.has_zone)
+      refuse(fmt::format("the dates of {} have an offset from UTC, and the dates of {} have none",
+                         parts_[one.has_zone ? a : b].source, parts_[one.has_zone ? b : a].source),
+             one.has_zone ? b : a, 0);
+    for (const auto& [changing, still] : {std::pair(a, b), std::pair(b, a)})
+      for (const ColumnReader::ClockChange& c : files_[changing]->clock_start()->changes) {
+        constexpr double day = 86400.0;
+        const ColumnReader::ClockStart& start = *files_[still]->clock_start();
+        const double last = start.begin + parts_[still].values(record::time).back();
+        const bool covers = start.begin < c.time && last > c.time;
+        const bool agrees = std::any_of(
+            start.changes.begin(), start.changes.end(), [&](const ColumnReader::ClockChange& s) {
+              return s.forward == c.forward && std::abs(s.time - c.time) < day;
+            });
+        if (covers && !agrees)
+          refuse(fmt::format("{}:{}: the clock goes {} by one hour, and in {} it does not",
+                             parts_[changing].source, c.line, c.forward ? "forward" : "back",
+                             parts_[still].source),
+                 changing, c.line);
+      }
   }
 
   static std::string words(const std::optional<ColumnReader::ClockStart>& start) {
@@ -479,11 +521,28 @@ class SeriesOfFiles {
             {.file = part.source, .key = std::string(c.name)});
       }
       std::vector<double> values(times_.size(), unset);
+      if (c.role == Role::run) {
+        if (c == record::run) result.runs = part.runs;
+        result.set(c, until_next(column.values, time));
+        continue;
+      }
       for (std::size_t row = 0; row < time.size(); ++row)
         values[static_cast<std::size_t>(std::lower_bound(times_.begin(), times_.end(), time[row]) -
                                         times_.begin())] = column.values[row];
       result.set(c, std::move(values));
     }
+  }
+
+  /// A run lasts until the first row of the next one.
+  [[nodiscard]] std::vector<double> until_next(const std::vector<double>& values,
+                                               std::span<const double> time) const {
+    std::vector<double> all;
+    std::size_t row = 0;
+    for (const double t : times_) {
+      while (row + 1 < time.size() && time[row + 1] <= t) ++row;
+      all.push_back(values[row]);
+    }
+    return all;
   }
 
   /// True for a log with a row for every change of what a control sets: what its last row says
@@ -495,7 +554,8 @@ class SeriesOfFiles {
     const std::span<const double> time = part.values(record::time);
     std::vector<bool> changes(time.size());
     for (const record::Column& c : part.columns) {
-      if (*c.channel == record::time || c.channel->role == Role::kept) continue;
+      const Role role = c.channel->role;
+      if (role == Role::time || role == Role::run || role == Role::kept) continue;
       if (!c.channel->is_input() || !record::acts_by_amount(*c.channel)) return false;
       double last = unset;
       for (std::size_t row = 0; row < time.size(); ++row) {
@@ -601,19 +661,16 @@ SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
   add(source);
   for (const Source& other : source.beside) add(other);
   const auto none = [&](const auto& has) { return std::none_of(files.begin(), files.end(), has); };
-  for (const Channel* c : needed)
-    if (none([&](const auto& f) { return f->has(*c); })) files.front()->require(*c);
-  require_transducers(files, options.columns, wanted);
   for (const ColumnRule* rule : files.front()->found().not_here)
-    if (none([&](const auto& f) {
-          const auto& absent = f->found().not_here;
-          return std::find(absent.begin(), absent.end(), rule) == absent.end();
-        }))
+    if (none([&](const auto& f) { return f->has(*rule->channel); }))
       throw text::InputError(fmt::format("{}: neither this file nor the files joined with it have "
                                          "the column {}, which {} uses for {}",
                                          source.name, options.columns.headers_of(*rule->channel),
                                          rule->place.text(), rule->key),
                              rule->place);
+  for (const Channel* c : needed)
+    if (none([&](const auto& f) { return f->has(*c); })) files.front()->require(*c);
+  require_transducers(files, options.columns, wanted);
   return files;
 }
 
@@ -636,7 +693,7 @@ record::Record read_series(const Source& source, const Channels& wanted, const C
     return std::any_of(files.begin(), files.end(), [&](const auto& f) { return f->has(c); }) ||
            !combinations_for(options.columns, {&c}).empty();
   });
-  note_gaps(record);
+  note_gaps(record, options.of_spindle);
   return record;
 }
 

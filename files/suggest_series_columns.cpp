@@ -178,6 +178,18 @@ std::string name_beside_kind(const SeriesColumn& c) {
   return name.empty() ? ascii_name(c.name) : name;
 }
 
+/// "raumluft", "t_amb"; not "arbeitsraum", which is in the machine.
+bool is_of_room(const std::string& name) {
+  constexpr std::array<std::string_view, 6> words{"ambient",  "room", "air",
+                                                  "umgebung", "raum", "halle"};
+  const std::vector<std::string_view> parts = parts_of_name(name);
+  return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
+    return part == "amb" || std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+             return part.starts_with(word);
+           });
+  });
+}
+
 class SeriesProposals {
  public:
   SeriesProposals(const text::CsvTable& table, const std::vector<correction::Model>& models,
@@ -242,11 +254,22 @@ class SeriesProposals {
     std::erase(wanted_, named->channel);
   }
 
-  /// A header that is one of our names already.
+  /// A header that is one of our names already. "Spindle speed (rpm)" is not: the speed of the
+  /// spindle has no name of its own.
   void take_our_names() {
-    for (std::size_t c = columns_.size(); c-- > 0;)
-      if (const auto named = named_series_channel(table_.header[columns_[c].as.column]))
-        choose(c, *named->channel), chosen_.back().has_our_name = true;
+    for (std::size_t c = columns_.size(); c-- > 0;) {
+      const std::string& header = table_.header[columns_[c].as.column];
+      const auto named = named_series_channel(header);
+      if (!named) continue;
+      const Channel& channel = *named->channel;
+      const bool may_be_single =
+          !columns_[c].kind->single.empty() && channel.name != header &&
+          channel.name != columns_[c].kind->single &&
+          std::find(wanted_.begin(), wanted_.end(), &channel) == wanted_.end();
+      if (may_be_single) continue;
+      choose(c, channel);
+      chosen_.back().has_our_name = true;
+    }
   }
 
   /// The column and the channel that are most alike first.
@@ -292,6 +315,7 @@ class SeriesProposals {
                            [&](const ColumnProposal& p) { return p.channel->name == name; });
       };
       std::string name(c.kind->single);
+      if (c.kind->end == "_temperature_C" && is_of_room(c.name)) name = "room_temperature_C";
       if (name.empty() || (taken(name) && !c.kind->end.empty())) {
         const std::string own = name_beside_kind(c);
         name = fmt::format("{}{}{}", c.kind->begin, own, c.kind->end);

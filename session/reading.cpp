@@ -36,6 +36,7 @@ files::ReadOptions Reading::options(const files::ColumnMap& of_model) const {
 
 files::ReadOptions Reading::options() const {
   files::ReadOptions result{.columns = {}, .sensor = {}, .drop_nan = drop_nan};
+  result.without_readings = without_readings;
   if (!columns_text.empty())
     result.columns = files::parse_column_map(columns_text, "columns");
   else if (!columns.empty())

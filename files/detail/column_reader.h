@@ -36,9 +36,17 @@ class ColumnReader {
   /// Kind of the times read by times(), and the time of the first row [s]: since 1970, since
   /// midnight, or since an unknown time.
   enum class ClockKind { dates, elapsed };
+  /// A change to or from summer time that times() has removed from the times.
+  struct ClockChange {
+    double time;  ///< time of the last row before the change, as in the file [s]
+    int line;     ///< first row after the change
+    bool forward;
+  };
   struct ClockStart {
     ClockKind kind;
     double begin;
+    bool has_zone = false;  ///< true: the dates have an offset from UTC
+    std::vector<ClockChange> changes{};
   };
   [[nodiscard]] const std::optional<ClockStart>& clock_start() const { return clock_start_; }
   /// Returns an index into `names` for each row. The function writes the different texts of the
@@ -76,7 +84,8 @@ class ColumnReader {
   /// column have another form. Throws InputError if the cells may be hours or minutes.
   [[nodiscard]] std::optional<double> unit_of_short_times(const ColumnSource& source) const;
   void undo_midnights(const ColumnSource& source, std::vector<double>& list);
-  void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);
+  [[nodiscard]] std::vector<ClockChange> undo_changes_of_clocks(const ColumnSource& source,
+                                                                std::vector<double>& list);
   void keep_mark(char mark, std::size_t row, std::string_view text);
 
   const text::CsvTable& table_;

@@ -92,7 +92,8 @@ NamedColumns course(const session::SeriesQuestion& asked, const Predicted& predi
 
 EngineAnswer correct(const EngineCorrection& correction, const Data& data,
                      const py::kwargs& given) {
-  const session::Reading reading = options_of(given).reading;
+  session::Reading reading = options_of(given).reading;
+  reading.without_readings = true;
   return answered([&](Heard& heard) {
     const auto run = std::make_shared<const session::CorrectionRun>(
         session::correct(ask(heard, correction, data, reading)));

@@ -438,6 +438,62 @@ TEST(LoggerExports, FilesWithClocksOfTheirOwnAreOneRecord) {
       "is also in another of the joined files; keep it in one file only");
 }
 
+TEST(LoggerExports, OneOfTheJoinedFilesMayNameTheRuns) {
+  const Exported temperatures([](std::size_t row, Cells& cells) {
+    const std::string run = row == 0 ? "run_id" : row < 300 ? "monday" : "tuesday";
+    cells = {cells[0], cells[1], cells[2], cells[3], run};
+  });
+  std::string probe;
+  std::istringstream in(file_text(folder_of_record + "train.csv"));
+  for (std::string line; std::getline(in, line);) {
+    const Cells cells = cells_of(line);
+    probe += cells[0] + "," + cells[4] + "\n";
+  }
+  const std::string rows = temperatures.folder.file("rows.csv");
+  const Result r = run("check " + record_model + " " + temperatures.file + " --beside " +
+                       temperatures.folder.write("probe.csv", probe) + " -o " + rows);
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_THAT(file_text(rows), HasSubstr("monday"));
+  EXPECT_THAT(file_text(rows), HasSubstr("tuesday"));
+}
+
+TEST(LoggerExports, ARecordWithoutTheProbeIsPredicted) {
+  const Exported production([](std::size_t, Cells& cells) { cells.resize(4); });
+  const std::string map = production.folder.write(
+      "map.toml", "[columns]\ndisplacement_z_um = \"probe\"\ntime_s = \"time_s\"\n");
+  const std::string files = record_model + " " + production.file + " --columns " + map;
+  EXPECT_EQ(run("correct " + files).status, 0);
+  expect_refused(run("compare " + files), "the column \"probe\" is missing; ");
+}
+
+TEST(LoggerExports, FilesOfDifferentClocksAreNotJoined) {
+  const ScratchFolder folder;
+  // Every ten minutes from 01:00 on; the clock of `changes` goes back at 03:00.
+  const auto file = [&](const char* name, const std::string& columns, const char* zone,
+                        bool changes) {
+    std::string text = fmt::format("Time,{}\n", columns);
+    for (int minute = 60; minute < 360; minute += 10) {
+      const int shown = changes && minute >= 180 ? minute - 60 : minute;
+      text += fmt::format("2024-10-27T{:02}:{:02}:00{}", shown / 60, shown % 60, zone);
+      for (auto k = std::count(columns.begin(), columns.end(), ','); k >= 0; --k)
+        text += fmt::format(",{}", 20 + minute % 7);
+      text += "\n";
+    }
+    return folder.write(name, text);
+  };
+  const std::string map = folder.write("map.toml", "[columns]\ntime_s = \"Time\"\n");
+  const auto joined = [&](const std::string& a, const std::string& b) {
+    return run("check " + record_model + " " + a + " --beside " + b + " --columns " + map);
+  };
+  const std::string temperatures = "bearing_temperature_C,room_temperature_C,displacement_z_um",
+                    speed = file("speed.csv", "speed_rpm", "", false),
+                    changing = file("changing.csv", temperatures, "", true),
+                    zoned = file("zoned.csv", temperatures, "+01:00", false);
+  for (const auto& [a, b] : {std::pair(speed, changing), std::pair(changing, speed)})
+    expect_refused(joined(a, b), "changing.csv:14: the clock goes back by one hour, and in ");
+  expect_refused(joined(speed, zoned), "have an offset from UTC, and the dates of ");
+}
+
 /// A logger that samples has stopped: what the control set after its last row is not known.
 TEST(LoggerExports, AFileBesideThatSamplesEndsWithItsLastRow) {
   const Exported rest([](std::size_t, Cells& cells) { cells.erase(cells.begin() + 1); });

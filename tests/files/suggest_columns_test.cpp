@@ -170,6 +170,16 @@ TEST(SuggestColumns, OfACorrectionNameWhatIsNotFound) {
   EXPECT_THAT(map, HasSubstr("\n# ambient_temperature_C = \"...\"  # not found, but needed\n"));
 }
 
+TEST(SuggestColumns, OfACorrectionKnowTheSpindleAndTheRoom) {
+  const std::string map = suggested_for(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n",
+      "time_s,Spindle speed (rpm),T Arbeitsraum [\u00b0C],Raumluft [\u00b0C],displacement_z_um\n"
+      "0,0,20,20,0\n60,3000,21,20,1\n120,3000,22,21,2\n");
+  EXPECT_THAT(map, HasSubstr("\nspeed_rpm = { column = \"Spindle speed (rpm)\", unit = \"rpm\" }"));
+  EXPECT_THAT(map, HasSubstr("\narbeitsraum_temperature_C = "));
+  EXPECT_THAT(map, HasSubstr("\nroom_temperature_C = { column = \"Raumluft [\u00b0C]\""));
+}
+
 TEST(SuggestColumns, OfABareCorrectionAreAllInputs) {
   const std::string map =
       suggested_for("[correction]\ndisplacement = \"displacement_z_um\"\n", german_machine);
