@@ -62,18 +62,34 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
   std::string questions;
   text::Place place{.file = source.name};
   std::vector<Read> files;  // only read where something is asked
+  const auto column_of = [&](const record::Channel& channel, bool& stamped) {
+    const ColumnSource* column = nullptr;
+    for (const Read& file : files) {
+      column = file.columns.find(channel);
+      if (!column) continue;
+      stamped = stamped || is_stamped(file.table, *column);
+      break;
+    }
+    return column;
+  };
+  const auto add = [&](std::string question) {
+    questions += (questions.empty() ? "" : "\n") + source.name + ": " + std::move(question);
+  };
   for (const Doubt& doubt : doubts) {
-    if (!doubt.units.empty() && files.empty()) files = read_again(source, options);
+    if ((!doubt.units.empty() || doubt.reversed) && files.empty())
+      files = read_again(source, options);
     std::string answers;
     bool answered = false, stamped = false;
-    for (const Doubt::Guess& guess : doubt.units) {
-      const ColumnSource* column = nullptr;
-      for (const Read& file : files) {
-        column = file.columns.find(*guess.channel);
-        if (!column) continue;
-        stamped = stamped || is_stamped(file.table, *column);
-        break;
+    if (doubt.reversed)
+      if (const ColumnSource* const column = column_of(*doubt.reversed, stamped);
+          column && column->cells.factor == 1.0) {
+        if (questions.empty()) place.key = column->name;
+        add(fmt::format("{}. Reverse the sign in [columns]: {} = {{ column = {}, factor = -1 }}",
+                        doubt.text, doubt.reversed->name, text::in_quotes(column->name)));
+        continue;
       }
+    for (const Doubt::Guess& guess : doubt.units) {
+      const ColumnSource* const column = column_of(*guess.channel, stamped);
       if (!column) continue;
       answered = answered || column->unit_stated;
       if (answers.empty() && questions.empty()) place.key = column->name;
@@ -83,10 +99,10 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
     if (answers.empty() || answered)
       warnings.push_back(record::note::unit(doubt.text, {.file = source.name}));
     else
-      questions += fmt::format(
-          "{}{}: {} If so, set the unit in [columns]: {}. If the values are right as they are, set "
-          "their present unit in [columns].",
-          questions.empty() ? "" : "\n", source.name, doubt.text, answers);
+      add(
+          fmt::format("{} If so, set the unit in [columns]: {}. If the values are right as they "
+                      "are, set their present unit in [columns].",
+                      doubt.text, answers));
   }
   if (!questions.empty()) throw text::InputError(questions, place);
   return warnings;

@@ -22,6 +22,8 @@ struct Doubt {
   };
   std::string text;
   std::vector<Guess> units{};  ///< possible units; empty if the question is not about a unit
+  /// Column whose values certainly have the opposite sign; null if the question is not about this.
+  const record::Channel* reversed = nullptr;
 };
 
 /// Returns the question whether a temperature column is in `unit`, "K" or "F". `from` and `to` are
@@ -33,9 +35,10 @@ struct Doubt {
 [[nodiscard]] record::Record in_other_unit(record::Record data, const record::Channel& channel,
                                            const text::Unit& unit);
 
-/// Throws InputError if a question is about the unit of a column in the file `source`, and the user
-/// has not stated this unit in the table [columns]. The message contains each such question and the
-/// line of [columns] that answers it. Returns all other questions as notes.
+/// Throws InputError if a question is about the unit or the sign of a column in the file `source`,
+/// and the user has not stated the unit or a factor in the table [columns]. The message contains
+/// each such question and the line of [columns] that answers it. Returns all other questions as
+/// notes.
 [[nodiscard]] std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts,
                                                     const Source& source,
                                                     const ReadOptions& options);

@@ -217,6 +217,7 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
           1e6, 5.0, 3.0,
           moment ? "are the values in kN m instead of N mm" : "are the values in m instead of um",
           of_readings(moment ? "kNm" : "m", "us")},
+      NamedFactor{10.0, 1.4, 1.4, "are the values in cN m instead of N mm", {{&channel, "cNm"}}},
       NamedFactor{60.0,
                   2.0,
                   1.4,
@@ -232,6 +233,8 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
     if (!ratio.near(f.factor, f.within) || ratio.spread > std::log(f.most_spread)) continue;
     if (!moment && f.factor < 100.0) continue;
     const bool small = ratio.middle < 0;
+    // A torque in a larger unit is read as too small; inputs in a larger unit make it too large.
+    if (f.factor < 100.0 && small != (f.factor == 10.0)) continue;
     std::string text = fmt::format(
         "readings of {} are about {:.0f} times too {} for the model: {}?", channel.words,
         f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
@@ -246,15 +249,18 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
   return std::nullopt;
 }
 
-std::optional<std::string> sign_of_readings(const Channel& channel, const Ratio& ratio) {
+std::optional<Doubt> sign_of_readings(const Channel& channel, const Ratio& ratio) {
   if (!ratio.known() || ratio.opposite < 0.9) return std::nullopt;
   if (channel == record::friction_torque)
-    return "readings of friction torque have the opposite sign: a torque against the motion is "
-           "positive; set factor = -1 in [columns]";
+    return Doubt{.text =
+                     "readings of friction torque have the opposite sign: a torque against the "
+                     "motion is positive",
+                 .reversed = &channel};
   // The position may go the other way for reasons of its own, but then not in proportion.
   if (ratio.correlation > -0.95 || ratio.far()) return std::nullopt;
-  return fmt::format("readings of {} have the opposite sign ({}); set factor = -1 in [columns]",
-                     channel.words, channel.direction);
+  return Doubt{
+      fmt::format("readings of {} have the opposite sign ({}); set factor = -1 in [columns]",
+                  channel.words, channel.direction)};
 }
 
 // Differences of ln L from which a unit is asked about. Few right records are as warm as a room in
@@ -521,7 +527,7 @@ std::vector<Doubt> doubts(const model::ModelSubject& subject, const Record& all)
     if (found.empty()) add(factor_of_readings(subject, ratio));
     if (found.empty() && !subject.model().shaft) add(unit_of_speed(subject, data, ratio));
   }
-  add_text(sign_of_readings(channel, ratio));
+  add(sign_of_readings(channel, ratio));
   add_text(unused_temperature(subject, data));
   return found;
 }
