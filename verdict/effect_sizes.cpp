@@ -12,6 +12,7 @@
 #include "fit/profile_interval.h"
 #include "fit/row_order.h"
 #include "fit/subspace.h"
+#include "verdict/search.h"
 #include "verdict/verdict_text.h"
 
 namespace raceway::verdict {
@@ -51,12 +52,16 @@ std::size_t begin_of(const fit::Problem& problem, const Explanation& e, std::siz
   return at;
 }
 
-/// One column for each block of rows that may be an undeclared run: 1 at its readings.
-Eigen::MatrixXd block_offsets(const fit::Problem& problem) {
+/// One column for each block of rows that may be an undeclared run, or for each run where the data
+/// do not show by how much runs differ: 1 at its readings.
+Eigen::MatrixXd block_offsets(const Evidence& evidence) {
+  const fit::Problem& problem = evidence.problem;
   const fit::Observations& observed = problem.observed;
   std::vector<Eigen::VectorXd> offsets;
   for (std::size_t c = 0; c < observed.channels.size(); ++c) {
-    const std::vector<bool> new_block = fit::row_order(*problem.record, observed.rows(c)).new_block;
+    const fit::RowOrder order = fit::row_order(*problem.record, observed.rows(c));
+    const bool of_runs = order.has_runs && evidence.noise[c].unknown_runs;
+    const std::vector<bool>& new_block = of_runs ? order.new_run : order.new_block;
     for (std::size_t i = 0; i < new_block.size(); ++i) {
       if (new_block[i]) offsets.emplace_back(Eigen::VectorXd::Zero(observed.size()));
       offsets.back()[observed.first[c] + static_cast<Eigen::Index>(i)] = 1.0;
@@ -153,7 +158,7 @@ record::Interval size_interval(const Evidence& evidence, const Explanation& e, s
 
 double chance_of_block_offsets(const Evidence& evidence, const Explanation& e, std::size_t member) {
   const fit::Problem& problem = evidence.problem;
-  const Eigen::MatrixXd offsets = block_offsets(problem);
+  const Eigen::MatrixXd offsets = block_offsets(evidence);
   if (offsets.cols() == 0 || e.elastic) return unset;
   const auto size = static_cast<Eigen::Index>(begin_of(problem, e, member) +
                                               problem.candidates[member].candidate.size);
@@ -179,8 +184,18 @@ double chance_of_block_offsets(const Evidence& evidence, const Explanation& e, s
   const auto [gain, left] = gain_beside(columns - 1);
   const auto [within, left_by_blocks] = gain_beside(columns - 1 + blocks);
   if (within > seen_within_blocks) return 0.0;
+  // One step of the zero, from some block on, may do as well.
+  if (problem.observed.channels.size() == 1) {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(slope.rows());
+    for (Eigen::Index b = blocks - 1; b > 0; --b) {
+      step += others.col(columns - 1 + b);
+      both.col(0) = step;
+      if (gain_beside(columns - 1).first >= gain - within_reach) return 1.0;
+    }
+  }
   // The first offset and the change itself are fitted.
   const auto degrees = static_cast<double>(blocks - 2);
+  if (!(degrees > 0.0)) return 1.0;
   return fit::f_above(1.0, degrees, gain / std::max(1.0, (left - left_by_blocks) / degrees));
 }
 

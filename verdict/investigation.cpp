@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "algebra/detail/decompositions.h"
@@ -162,11 +163,14 @@ void Investigation::tell_of_runs() {
   // Where levels were measured in two runs it is no plan that lacks anything.
   if (!runs || (!nested.empty() && fit::nested_settings(*problem_.record, true).empty())) return;
   result_.messages.push_back(record::note::plan(
-      fmt::format("the data do not show how much runs differ by chance{}. So the program does not "
-                  "compare different runs to test an effect of {}. Measure each level in two runs "
-                  "or more, or all levels within each run",
-                  nested.empty() ? "" : ", as each run has its own " + nested,
-                  nested.empty() ? "an input that changes from run to run" : nested)));
+      nested.empty()
+          ? "the data do not show how much runs differ by chance. So the program does not compare "
+            "different runs to test an effect. Repeat the plan in more runs"
+          : fmt::format("the data do not show how much runs differ by chance, as each run has its "
+                        "own {0}. So the program does not compare different runs to test an effect "
+                        "of {0}. Measure each level in two runs or more, or all levels within each "
+                        "run",
+                        nested)));
 }
 
 /// Records that do not scatter alike.
@@ -366,9 +370,13 @@ bool Investigation::may_be_block_offsets(const Explanation& e) const {
 std::string Investigation::doubt_about_time(const Set& set) const {
   const bool doubtful = std::all_of(
       set.begin(), set.end(), [this](const Explanation* e) { return may_be_block_offsets(*e); });
-  return doubtful ? "but a sensor zero that was set before each block of rows may change the "
-                    "readings in the same way, because no column run_id marks the runs"
-                  : "";
+  if (!doubtful) return {};
+  return record_.has(record::run)
+             ? "but a sensor zero that was set before each run may change the readings in the same "
+               "way"
+             : "but a sensor zero that was set before each block of rows may change the readings "
+               "in "
+               "the same way, because no column run_id marks the runs";
 }
 
 /// Nothing in the set explains the misfit by its own law but shapes that stand for none.
@@ -407,9 +415,13 @@ void Investigation::confirm_single() {
 }
 
 void Investigation::confirm_several() {
-  hold_out(*finding_.set.front());
-  fill(finding_.set, *finding_.set.front());
-  doubt_ = doubt_about(*finding_.set.front());
+  Set& set = finding_.set;
+  const auto is_plausible = [this](const Explanation* e) { return sizes_plausible(problem_, *e); };
+  plausible_ = std::any_of(set.begin(), set.end(), is_plausible);
+  if (plausible_) std::erase_if(set, std::not_fn(is_plausible));
+  hold_out(*set.front());
+  fill(set, *set.front());
+  doubt_ = plausible_ ? doubt_about(*set.front()) : "but one of their sizes is implausible";
   if (doubt_.empty()) doubt_ = doubt_about_time(finding_.set);
   result_.verdict = !holds_          ? Verdict::not_in_catalogue
                     : doubt_.empty() ? Verdict::several_effects

@@ -186,6 +186,9 @@ TEST(Diagnose, ZerosThatAreSetAnewAreNoDriftOverTime) {
     const verdict::Diagnosis steps =
         diagnose(belief(), two_passes({0, 5, 2, 4, 11, 13, 7, 11}, seed));
     EXPECT_NE(steps.verdict, verdict::Verdict::effect) << steps.sentence;
+    // One step between the passes, beside another load share, looks like a drift.
+    const verdict::Diagnosis once = diagnose(belief(), two_passes({0, 0, 0, 0, 8, 8, 8, 8}, seed));
+    EXPECT_NE(once.verdict, verdict::Verdict::effect) << once.sentence;
   }
 }
 
