@@ -331,6 +331,21 @@ double step_of_time(const Record& record, const std::vector<Stay>& means) {
   return record::median(steps);
 }
 
+/// True for a row of a fast ramp of the first setting between rows at the usual step of time.
+bool is_on_ramp(const Record& record, const Held& setting, std::size_t i, double usual_step) {
+  constexpr double about_the_usual = 2.0;
+  if (i == 0 || i + 1 == record.rows()) return false;
+  const auto follows = [&](std::size_t row) {
+    const double step = record.value(record::time, row) - record.value(record::time, row - 1);
+    return step <= about_the_usual * usual_step && record.run_of(row) == record.run_of(row - 1) &&
+           record.part_of(row) == record.part_of(row - 1);
+  };
+  const double before = setting.values[i - 1], here = setting.values[i],
+               after = setting.values[i + 1];
+  return follows(i) && follows(i + 1) && (here - before) * (after - here) >= 0.0 &&
+         std::abs(after - before) > 2.0 * setting.width(here);
+}
+
 /// The scatter of the means of the one channel that was measured: of several each has another.
 void add_scatter(const Record& record, const std::vector<Stay>& means, Averaged& result) {
   const Column* measured = nullptr;
@@ -399,6 +414,13 @@ Averaged average_dwells(const Record& record) {
   // a record.
   if (!result.any() || means.size() < 2 || 2 * result.alone > record.rows())
     return {.rows = record.rows()};
+  if (record.has(record::time)) {
+    const double usual = step_of_time(record, means);
+    result.ramps = std::erase_if(means, [&](const Stay& s) {
+      return !s.dwell && is_on_ramp(record, held.front(), s.first, usual);
+    });
+    result.alone -= result.ramps;
+  }
   std::vector<std::size_t> wanted;
   for (const Stay& s : means) wanted.push_back(s.first);
   result.record = record.picked(wanted);
@@ -425,7 +447,7 @@ std::string Averaged::statement() const {
   std::vector<std::string_view> words;
   for (const Channel* channel : channels) words.push_back(channel->words);
   std::string text =
-      fmt::format("{} rows form {} dwell{}", rows - alone, dwells, dwells == 1 ? "" : "s");
+      fmt::format("{} rows form {} dwell{}", rows - alone - ramps, dwells, dwells == 1 ? "" : "s");
   if (alone > 0)
     text += fmt::format(", and {} row{} outside of dwells", alone, alone == 1 ? " is" : "s are");
   text += fmt::format(": the program averages the {} of consecutive rows at equal settings",
@@ -433,6 +455,9 @@ std::string Averaged::statement() const {
   if (split > 0)
     text += fmt::format("; {} dwell{} divided where a temperature changed by more than 1 K", split,
                         split == 1 ? " is" : "s are");
+  if (ramps > 0)
+    text += fmt::format("; {} row{} on fast ramps between dwells {} not used", ramps,
+                        ramps == 1 ? "" : "s", ramps == 1 ? "is" : "are");
   if (correlation_time > 0.0)
     text += fmt::format("; the scatter within a dwell has a correlation time of {:.2g} s",
                         correlation_time);

@@ -32,6 +32,7 @@ struct Averaged {
   std::size_t rows = 0;     ///< number of rows before averaging
   std::size_t dwells = 0;   ///< number of rows that are means; a split dwell gives several means
   std::size_t alone = 0;    ///< number of unchanged rows outside dwells
+  std::size_t ramps = 0;    ///< number of rows on fast ramps between dwells, which are left out
   std::size_t split = 0;    ///< number of dwells that were split because a temperature drifted
   /// Correlation time of the scatter of rows within dwells [s]; NaN if unknown or if the rows are
   /// not correlated.
@@ -45,7 +46,10 @@ struct Averaged {
 };
 
 /// Averages the rows of each dwell. The result has one row for each dwell, with the means of
-/// inputs, time and readings. Rows outside dwells are unchanged.
+/// inputs, time and readings. Rows outside dwells are unchanged, or left out if they are on a fast
+/// ramp: the first setting, usually the speed, rises or falls from the row before to the row after
+/// by more than twice the largest deviation that a dwell may have. The reading of such a row
+/// contains the torque that accelerates the rotor.
 ///
 /// A dwell has at least five consecutive rows of one run, with equal settings and at most two
 /// minutes between rows. Temperatures may drift. A dwell in which a temperature changes by more

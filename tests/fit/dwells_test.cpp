@@ -144,6 +144,28 @@ TEST(Dwells, LeaveRowsWithAStandardDeviationAlone) {
   EXPECT_FALSE(average_dwells(record).any());
 }
 
+TEST(Dwells, RowsOnFastRampsBetweenThemAreLeftOut) {
+  Log log;
+  double t = 0.0;
+  const auto add = [&](double rpm, double torque) { log.add(t++, rpm, 500.0, 40.0, torque); };
+  for (const double n : {1000.0, 3000.0, 5000.0}) {
+    for (int i = 0; i < 40; ++i) add(n, n / 10.0 + 0.1 * (i % 3));
+    // The rotor takes much more than its friction.
+    for (int i = 1; i < 5; ++i) add(n + 400.0 * i, 2000.0);
+  }
+  const Averaged averaged = average_dwells(log.record());
+  EXPECT_EQ(averaged.dwells, 3U);
+  EXPECT_EQ(averaged.ramps, 11U);
+  EXPECT_EQ(averaged.alone, 1U);  // the last row, which nothing follows
+  EXPECT_THAT(averaged.statement(), HasSubstr("11 rows on fast ramps between dwells are not used"));
+  // Rows of a slow ramp are measurements.
+  Log slow;
+  for (int i = 0; i < 40; ++i) slow.add(i, 1000.0, 500.0, 40.0, 100.0 + 0.1 * (i % 3));
+  for (int i = 1; i < 40; ++i) slow.add(39 + i, 1000.0 + 4.0 * i, 500.0, 40.0, 100.0);
+  for (int i = 0; i < 40; ++i) slow.add(79 + i, 1156.0, 500.0, 40.0, 100.0 + 0.1 * (i % 3));
+  EXPECT_EQ(average_dwells(slow.record()).ramps, 0U);
+}
+
 TEST(Dwells, StrayRowsBetweenThemStayRows) {
   Log log = stairs(40, 0.01, 0.0, 6);
   log.rpm[20] = 3000.0;  // within the first dwell
