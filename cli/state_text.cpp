@@ -95,7 +95,8 @@ void print_life(const model::BearingLife& life, const bearing::BearingFrequencie
   constexpr double hour = 3600.0;
   fmt::print("\nbasic life L10      {:>10} h       reference L10r    {:>8} h\n",
              number(life.basic / hour), number(life.reference / hour));
-  fmt::print("modified life       {:>10} {:<10}a_ISO             {:>8}\n",
+  fmt::print("{:<19} {:>10} {:<10}a_ISO             {:>8}\n",
+             element == "roller" ? "modified a_ISO L10r" : "modified a_ISO L10",
              life.hybrid ? "none" : number(life.modified / hour), life.hybrid ? "" : "h",
              number(life.modification));
   fmt::print("kappa               {:>10}         static safety     {:>8}\n",

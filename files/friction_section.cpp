@@ -162,10 +162,13 @@ bool has(FrictionLaw law, std::string_view name) {
   return false;
 }
 
-std::string belongs_to_other(std::string_view key, const toml::node& value, FrictionLaw other,
-                             FrictionLaw law) {
-  return fmt::format("{} = {}: this key is only for law = \"{}\", but the law is \"{}\"", key,
-                     text::shown(value), friction::name(other), friction::name(law));
+std::string belongs_to_others(std::string_view key, const toml::node& value,
+                              std::span<const FrictionLaw> others, FrictionLaw law) {
+  std::vector<std::string> names;
+  for (const FrictionLaw other : others)
+    if (has(other, key)) names.push_back(fmt::format("\"{}\"", friction::name(other)));
+  return fmt::format("{} = {}: this key is only for law = {}, but the law is \"{}\"", key,
+                     text::shown(value), text::listed(names, "or"), friction::name(law));
 }
 
 /// `others`: laws of the same kind of bearing.
@@ -173,9 +176,10 @@ void refuse_values_of_other_law(const Section& s, FrictionLaw law,
                                 std::span<const FrictionLaw> others) {
   if (!s.given()) return;
   for (const auto& [key, node] : *s.table())
-    for (const FrictionLaw other : others)
-      if (!has(law, key.str()) && has(other, key.str()))
-        s.fail(key.str(), belongs_to_other(key.str(), node, other, law));
+    if (const std::string_view name = key.str();
+        !has(law, name) && std::any_of(others.begin(), others.end(),
+                                       [&](FrictionLaw other) { return has(other, name); }))
+      s.fail(key.str(), belongs_to_others(name, node, others, law));
 }
 
 /// Fills in what the law of `result` reads in a table.

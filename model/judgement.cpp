@@ -144,10 +144,15 @@ void Judge::look(const bearing::Bearing& bearing, const std::string& place,
   }
   if (point.speed > 0.0)
     running_.look(pressure, limits::running_pressure.value * GPa, place, point);
-  ring_.look(std::fmax(state.inner_ring_temperature, state.outer_ring_temperature),
-             kelvin(limits::ring_temperature.value), place, point);
+  look_at_rings(place, point, state.inner_ring_temperature, state.outer_ring_temperature);
   look_at_table(place, point, state.axial_load, state.radial_load);
   look_at_speed(bearing.geometry().pitch_diameter, has_ceramic_balls(bearing), place, point);
+}
+
+void Judge::look_at_rings(const std::string& place, const bearing::OperatingPoint& point,
+                          double inner_ring_temperature, double outer_ring_temperature) {
+  ring_.look(std::fmax(inner_ring_temperature, outer_ring_temperature),
+             kelvin(limits::ring_temperature.value), place, point);
 }
 
 void Judge::look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,

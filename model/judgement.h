@@ -121,6 +121,9 @@ class Judge {
   /// Compares only speed and lubricant temperature with their limits.
   void look_at_speed(double pitch_diameter, bool ceramic, const std::string& place,
                      const bearing::OperatingPoint& point);
+  /// Compares only the ring temperatures with their limit, for a roller bearing of a spindle.
+  void look_at_rings(const std::string& place, const bearing::OperatingPoint& point,
+                     double inner_ring_temperature, double outer_ring_temperature);
   /// Checks if the operating point of a rotating bearing is outside the range of the friction
   /// table. Does nothing if the friction law is not `table`.
   void look_at_table(const std::string& place, const bearing::OperatingPoint& point,

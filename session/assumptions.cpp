@@ -33,6 +33,8 @@ constexpr std::array usual_spreads{UsualSpread{"bearing.inner_conformity", "0.01
                                    UsualSpread{"friction.f0", "50%"},
                                    UsualSpread{"friction.z", "50%"},
                                    UsualSpread{"friction.y", "10%"},
+                                   UsualSpread{"friction.rolling_factor", "40%"},
+                                   UsualSpread{"friction.K_rs", "50%"},
                                    UsualSpread{"arrangement.preload_N", "20%"},
                                    UsualSpread{"ambient.temperature_C", "2"},
                                    UsualSpread{"ambient.emissivity", "0.1"},

@@ -14,6 +14,7 @@
 #include "effects/interference_fit.h"
 #include "model/row.h"
 #include "results/shaft_results.h"
+#include "results/spindle_results.h"
 #include "shaft/shaft_balance.h"
 #include "spindle/loaded_shaft.h"
 #include "text/error.h"
@@ -68,6 +69,15 @@ void judge_running(const model::Model& model, std::size_t bearing, const spindle
        .outer_pressure = pressures.outer,
        .inner_ring_temperature = state.inner_ring_temperature,
        .outer_ring_temperature = state.outer_ring_temperature});
+}
+
+/// The roller bearings of a spindle, which stand behind those of the sets.
+void judge_rollers(const model::Model& model, const spindle::Inputs& inputs,
+                   const spindle::Moment& moment, Judge& judge) {
+  for (std::size_t k = model.shaft->arrangement.bearings().size(); k < moment.bearings.size(); ++k)
+    judge.look_at_rings(
+        results::bearing_label(model, k), {.speed = inputs.speed, .axial_load = inputs.axial_load},
+        moment.bearings[k].inner_ring_temperature, moment.bearings[k].outer_ring_temperature);
 }
 
 /// The pressure of a bearing alone under an axial and a radial load; NaN without balance.
@@ -247,6 +257,7 @@ Findings judge(const model::Model& model, std::span<const results::SteadyState> 
         pressures = {.inner = s.bearings[k].inner_pressure, .outer = s.bearings[k].outer_pressure};
       judge_running(model, k, s.inputs, s.moment.bearings[k], pressures, judge);
     }
+    judge_rollers(model, s.inputs, s.moment, judge);
     judge.look_at_preload({.speed = s.inputs.speed}, s.moment.front_force, s.moment.rear_force,
                           mounted);
   }
@@ -277,9 +288,11 @@ Findings judge(const model::Model& model, std::span<const spindle::ProfileRow> p
                     judge);
     }
   }
-  for (std::size_t k = 0; k < run.moments.size(); ++k)
+  for (std::size_t k = 0; k < run.moments.size(); ++k) {
+    judge_rollers(model, profile[k].inputs, run.moments[k], judge);
     judge.look_at_preload({.speed = profile[k].inputs.speed}, run.moments[k].front_force,
                           run.moments[k].rear_force, mounted);
+  }
   return judge.findings();
 }
 

@@ -27,7 +27,7 @@ std::string_view words(Status status) {
              "of rigidly mounted sets";
     case Status::thermal_runaway:
       return "thermal runaway: the friction heat grows faster than heat can leave (heat raises the "
-             "preload of rigidly mounted sets)";
+             "preload of rigidly mounted sets and closes the clearance of roller bearings)";
     case Status::step_limit:
       return "the maximum number of time steps was reached";
     case Status::not_run:

@@ -218,9 +218,9 @@ TEST_F(ContactLaw, FlagsFactorsOfOtherLawsAndEffectsThatItHasItself) {
     EXPECT_EQ(r.status, 1);
     return r.err;
   };
-  EXPECT_THAT(
-      error_of(model + "f0 = 1.5\n"),
-      HasSubstr("f0 = 1.5: this key is only for law = \"palmgren\", but the law is \"contact\""));
+  EXPECT_THAT(error_of(model + "f0 = 1.5\n"),
+              HasSubstr("f0 = 1.5: this key is only for law = \"palmgren\", \"powers\" or "
+                        "\"contact-powers\", but the law is \"contact\""));
   EXPECT_THAT(error_of(model + "\n[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("id = \"spin-friction\": the effect needs another base law, because the "
                         "contact law already "

@@ -113,9 +113,9 @@ TEST(ModelWithTable, HasTheTorqueOfTheTable) {
 TEST(ModelWithTable, NeedsAWholeFileOfOneBearing) {
   EXPECT_THAT(refusal([] { (void)tabled("\n[friction]\nlaw = \"table\"\n"); }),
               HasSubstr("[friction] file is missing: the law table needs a CSV with speed_rpm"));
-  EXPECT_THAT(
-      refusal([] { (void)tabled(table_law + "f0 = 2\n"); }),
-      HasSubstr("f0 = 2: this key is only for law = \"palmgren\", but the law is \"table\""));
+  EXPECT_THAT(refusal([] { (void)tabled(table_law + "f0 = 2\n"); }),
+              HasSubstr("f0 = 2: this key is only for law = \"palmgren\", \"powers\" or "
+                        "\"contact-powers\", but the law is \"table\""));
   EXPECT_THAT(
       refusal([] { (void)tabled("\n[friction]\nf0 = 1\nz = 0.001\ny = 0.3\nscale = 2\n"); }),
       HasSubstr("scale = 2: this key is only for law = \"table\""));

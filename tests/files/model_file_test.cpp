@@ -267,8 +267,8 @@ TEST(ModelFile, TheLoadOfTheFactorIsP0UnlessTheFileSaysOtherwise) {
   std::string skf = changed("f0 = 1.5\nz = 0.001\ny = 0.33", "law = \"skf\"\nf1_load = \"F_b\"");
   skf.replace(skf.find("[\"z\""), 4, "[\"mu_bl\"");
   EXPECT_EQ(model_error(skf),
-            "m.toml:19: f1_load = \"F_b\": this key is only for law = \"palmgren\", but the law is "
-            "\"skf\"");
+            "m.toml:19: f1_load = \"F_b\": this key is only for law = \"palmgren\", \"powers\" or "
+            "\"contact-powers\", but the law is \"skf\"");
   skf.erase(skf.find("f1_load = \"F_b\"\n"), 16);
   EXPECT_THAT(lines(parse_model(skf, "m.toml").defaults),
               testing::Not(Contains(StartsWith("friction.f1_load"))));
