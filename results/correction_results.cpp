@@ -237,6 +237,7 @@ std::string identification_json(const std::string& model_file, const record::Rec
                                : text::json();
   }
   add_axes(document, std::move(axes));
+  text::put_notes(document, "notes", record.notes);
   return text::text(document);
 }
 
@@ -250,6 +251,7 @@ std::string arx_json(
   text::json axes = text::json::array();
   for (const auto& [displacement, one] : found) axes.push_back(arx_object(*displacement, one));
   add_axes(document, std::move(axes));
+  text::put_notes(document, "notes", record.notes);
   return text::text(document);
 }
 
@@ -305,6 +307,7 @@ std::string corrected_json(const std::string& model_file, const record::Record& 
   text::json axes = text::json::array();
   for (const Corrected& c : corrected) axes.push_back(corrected_object(c, record));
   add_axes(document, std::move(axes));
+  text::put_notes(document, "notes", record.notes);
   text::put_notes(document, "messages", messages);
   return text::text(document);
 }

@@ -97,6 +97,7 @@ class CorrectionInLoop final : public LoopModel {
       result.subject = found.subject;
       fitted = static_cast<int>(found.parameters.size());
     }
+    messages.say(notes_of(record::note::assumed, fitted_start(model()), {.file = data.source}));
     result.errors = verdict::compare(*result.subject, data, fitted);
     for (verdict::Comparison& c : result.errors)
       verdict::add_groups(c, correction::phase, correction::phases(data, *c.channel));

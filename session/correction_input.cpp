@@ -92,6 +92,14 @@ void require_readings(const correction::Model& model, const record::Record& reco
         {.file = record.source, .key = std::string(model.displacement->name)});
 }
 
+std::vector<std::string> fitted_start(const correction::Model& model) {
+  if (model.initial_state != correction::InitialState::free) return {};
+  return {
+      fmt::format("{}: initial_state = \"free\": the state at the start is fitted to these "
+                  "readings. A control has no readings, so its error can be larger",
+                  model.displacement->name)};
+}
+
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record) {
   if (const std::string beyond = correction::beyond_element(model, record); !beyond.empty())

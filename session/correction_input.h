@@ -52,6 +52,10 @@ struct SeriesQuestion {
 /// predicts.
 void require_readings(const correction::Model& model, const record::Record& record);
 
+/// Returns the note that the start state of a warm machine (initial_state = "free") is fitted to
+/// the readings of the record; empty if the model starts from rest.
+[[nodiscard]] std::vector<std::string> fitted_start(const correction::Model& model);
+
 /// Checks a record before a model is fitted to it. Warns of input sensors whose readings jump, or
 /// do not vary in a part of the record or in the whole record. The warnings are also in the notes
 /// of the record and in the JSON results. Throws text::InputError if an input, such as the heating

@@ -50,6 +50,7 @@ results::Corrected corrected_by(const correction::Model& model, const record::Re
     result.band = correction::band_of(*subject, model, series, result.beyond).half_width();
   result.trust = correction::trust_on(model, {}, unset, result.beyond);
   if (record.has(*model.displacement)) {
+    append(messages, notes_of(record::note::assumed, fitted_start(model), {.file = record.source}));
     const auto zeroed = correction::aligned(model, record, correction::Zero::mean);
     const std::span<const double> read = record.values(*model.displacement);
     const std::vector<double> predicted = fit::predict(*zeroed, record);
