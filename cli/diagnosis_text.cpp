@@ -11,6 +11,7 @@
 #include "cli/error_text.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
+#include "verdict/verdict_text.h"
 
 namespace raceway::cli {
 namespace {
@@ -130,8 +131,9 @@ std::string advice(const verdict::Diagnosis& d) {
   std::string text;
   if (!d.suggested_measurements.empty()) {
     const verdict::SuggestedMeasurement& m = d.suggested_measurements.front();
-    text += lines_of(fmt::format("Measure next: {} ({} times){}.", m.words, m.repeats,
-                                 more(d.suggested_measurements.size())));
+    text += lines_of(fmt::format("Measure next: {} ({} times){}{}.", m.words, m.repeats,
+                                 more(d.suggested_measurements.size()),
+                                 verdict::will_decide(d) ? "" : "; it may not decide"));
   }
   if (!d.records_needed.empty())
     text += lines_of(

@@ -112,7 +112,13 @@ T f1_ratio(const BearingState<T>& s) {
 struct PalmgrenLoad {
   static constexpr std::string_view id = "palmgren_load";
   static constexpr std::array parameters{
-      Parameter{.name = "z", .unit = "1", .initial = 0.001, .lower = 0.0, .upper = 0.02},
+      Parameter{.name = "z",
+                .unit = "1",
+                .initial = 0.001,
+                .lower = 0.0,
+                .upper = 0.02,
+                .plausible_lower = 0.00067,
+                .plausible_upper = 0.001},
       Parameter{.name = "y", .unit = "1", .initial = 0.33, .lower = 0.0, .upper = 1.0}};
   static constexpr std::array<std::string_view, 3> bearing_data{"contact_angle", "pitch_diameter",
                                                                 "static_load_rating"};
@@ -134,8 +140,13 @@ struct PalmgrenLoad {
 ///           formula; calibration fits f0.
 struct PalmgrenViscous {
   static constexpr std::string_view id = "palmgren_viscous";
-  static constexpr std::array parameters{
-      Parameter{.name = "f0", .unit = "1", .initial = 1.5, .lower = 0.01, .upper = 30.0}};
+  static constexpr std::array parameters{Parameter{.name = "f0",
+                                                   .unit = "1",
+                                                   .initial = 1.5,
+                                                   .lower = 0.01,
+                                                   .upper = 30.0,
+                                                   .plausible_lower = 1.3,
+                                                   .plausible_upper = 6.6}};
   static constexpr std::array<std::string_view, 1> bearing_data{"pitch_diameter"};
 
   template <typename T>

@@ -188,6 +188,8 @@ void add_law(std::vector<Parameter>& list, const Model& model) {
     const std::string name(n.name);
     Parameter p = parameter_at(model, {table_of(n) + "." + name}, name, n.unit, n.lower, n.upper);
     p.initial = n.initial;
+    p.plausible_lower = n.plausible_lower;
+    p.plausible_upper = n.plausible_upper;
     add(list, std::move(p));
   }
 }

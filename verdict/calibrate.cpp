@@ -121,6 +121,7 @@ void take_fit(const fit::Response& response, const fit::ResponseFit& fit,
   result.error_factor = error_factor(fit.misfit, noise_known, result);
   const Eigen::MatrixXd jacobian = whitening(fit.slope);
   estimate_errors(jacobian, result.error_factor, result);
+  append(result.messages, unusual_values(result.parameters));
 }
 
 /// Fits again with the common scatter that explains a misfit beyond the declared deviations, until

@@ -45,8 +45,8 @@ namespace raceway::verdict {
 /// probability is 0 if the candidate also improves a fit that contains one offset for each block.
 /// The blocks are those that may be undeclared runs (RowOrder::new_block), or the declared runs if
 /// the data do not show how much runs differ (NoiseModel::unknown_runs). With two blocks, the
-/// probability is 1. The result is NaN if there are no blocks, or if the formula of the candidate is
-/// multiplied by fitted powers of the inputs (Attribution::elastic()).
+/// probability is 1. The result is NaN if there are no blocks, or if the formula of the candidate
+/// is multiplied by fitted powers of the inputs (Attribution::elastic()).
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 

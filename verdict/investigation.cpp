@@ -702,6 +702,7 @@ void Investigation::tell_of_all_rows() {
 }
 
 Diagnosis Investigation::conclude() {
+  if (!is_anything_missing()) append(result_.messages, unusual_values(result_.base));
   if (!is_anything_missing() && result_.within_tolerance) find_immaterial();
   result_.sentence = sentence();
   result_.headline = headline(result_, !hidden_               ? Inputs::tell_all

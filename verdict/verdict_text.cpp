@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verdict/search.h"
+
 namespace raceway::verdict {
 
 std::string joined(const std::vector<std::string>& words, const char* last) {
@@ -94,6 +96,24 @@ std::string shift_text(const Diagnosis& d) {
   return texts.empty() ? "" : "; without this explanation, " + joined(texts, "and");
 }
 
+std::vector<record::Note> unusual_values(std::span<const record::Parameter> fitted) {
+  constexpr double far = 3.0;
+  std::vector<record::Note> notes;
+  for (const record::Parameter& p : fitted) {
+    const double margin = std::isfinite(p.std) ? 2.0 * p.std : 0.0;
+    if (!p.held &&
+        (p.value - margin > far * p.plausible_upper || p.value + margin < p.plausible_lower / far))
+      notes.push_back(record::note::check_data(
+          fmt::format("{} = {:.3g} is far from the usual {:g} to {:g}: check the units of readings "
+                      "and inputs, and what they refer to; or the model lacks an effect",
+                      p.name, p.value, p.plausible_lower, p.plausible_upper),
+          {.key = p.name}));
+  }
+  return notes;
+}
+
+bool will_decide(const Diagnosis& d) { return !(d.predicted_separation < within_reach); }
+
 std::string measure_text(const Diagnosis& d) {
   std::vector<std::string> texts;
   for (const SuggestedMeasurement& m : d.suggested_measurements)
@@ -102,8 +122,9 @@ std::string measure_text(const Diagnosis& d) {
   if (!texts.empty())
     text = fmt::format(
         " Measure: {}. After these measurements, the gains of the possible causes should differ by "
-        "{:.0f}; after repeated readings at the present points, by {:.0f}.",
-        fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
+        "{:.0f}; after repeated readings at the present points, by {:.0f}.{}",
+        fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition,
+        will_decide(d) ? "" : fmt::format(" A decision needs a difference of {:g}.", within_reach));
   if (!d.records_needed.empty())
     text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));
   return text;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,12 @@ namespace raceway::verdict {
 /// effects of the verdict are left out of the fit. The text is empty if all these errors are below
 /// 1 %.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
+/// Returns warnings about fitted parameters of the model that are more than three times above or
+/// below the range seen in practice.
+[[nodiscard]] std::vector<record::Note> unusual_values(std::span<const record::Parameter> fitted);
+/// Returns false if the gains of the rival explanations should still be too near to each other
+/// after the suggested measurements.
+[[nodiscard]] bool will_decide(const Diagnosis& d);
 /// Returns a text with up to three suggested measurements and with further quantities to record.
 /// The text states two predicted differences between the gains of the rival explanations: after all
 /// suggested measurements, and after a mere repetition of the present measuring points. The text is
