@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "files/catalogue_defaults.h"
+#include "record/digits.h"
 #include "record/units.h"
 #include "text/number_text.h"
 
@@ -100,6 +101,25 @@ std::optional<CatalogueBearing> row_named(const std::string& name) {
     // Whoever needs the catalogue is told so.
   }
   return std::nullopt;
+}
+
+/// An angle in rad and a load rating in kN would pass as odd bearings.
+void refuse_other_units(const Section& s, const BearingGeometry& g) {
+  if (g.contact_angle > 0.0 && g.contact_angle < 1.0 * degree && s.find("contact_angle_deg"))
+    s.fail(
+        "contact_angle_deg",
+        fmt::format("contact_angle_deg = {:.4g}: must be 0, or from 1 to 65 deg; is the value in "
+                    "rad?",
+                    g.contact_angle / degree));
+  // ISO 76: C0 = f0 Z D² cos α with f0 of 12 to 17 N/mm².
+  const double usual =
+      15e6 * g.ball_count * g.ball_diameter * g.ball_diameter * std::cos(g.contact_angle);
+  if (g.static_load_rating * 100.0 < usual && s.find("static_load_rating_N"))
+    s.fail("static_load_rating_N",
+           fmt::format("static_load_rating_N = {:.6g}: {} balls of {:.4g} mm have a static load "
+                       "rating of about {:.6g} N; is the value in kN?",
+                       g.static_load_rating, g.ball_count, g.ball_diameter / mm,
+                       record::with_digits(usual, 2)));
 }
 
 }  // namespace
@@ -284,6 +304,7 @@ void BearingReader::read_geometry(const Section& s, Draft& draft) {
   take("outer_conformity", 1.0, g.outer_conformity);
   s.take("static_load_rating_N", g.static_load_rating);
   s.take("radial_clearance_um", g.radial_clearance, um);
+  refuse_other_units(s, g);
 }
 
 /// Bore, outer diameter and shoulders, and whether the bearing can be.

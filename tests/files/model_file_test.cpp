@@ -79,6 +79,16 @@ std::string model_error(const std::string& text) {
   return tests::message_of([&] { (void)parse_model(text, "m.toml"); });
 }
 
+TEST(ModelFile, AnAngleInRadAndARatingInKilonewtonsAreAskedAbout) {
+  EXPECT_EQ(model_error(changed("contact_angle_deg = 25.0", "contact_angle_deg = 0.4363")),
+            "m.toml:6: contact_angle_deg = 0.4363: must be 0, or from 1 to 65 deg; is the value in "
+            "rad?");
+  EXPECT_EQ(
+      model_error(changed("= 43000", "= 43")),
+      "m.toml:9: static_load_rating_N = 43: 20 balls of 11.91 mm have a static load rating of "
+      "about 39000 N; is the value in kN?");
+}
+
 TEST(ModelFile, AWholeNumberThatNoDoubleHoldsIsRefused) {
   for (const char* where : {"f0", "unknown_key", "free"})
     EXPECT_EQ(model_error(fmt::format("[bearing]\nname = \"x\"\n{} = 9007199254740993\n", where)),
