@@ -191,14 +191,19 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
     list.push_back({"front_force_N", m.front_force});
     list.push_back({"rear_force_N", m.rear_force});
   }
-  list.push_back({"friction_power_W", m.heat.friction});
+  // A state that was not found has no heat, not a heat of 0.
+  const bool found = !m.bearings.empty() || !m.sensors.empty();
+  const auto add_heat = [&](const char* name, double heat) {
+    list.push_back({name, found ? heat : unset});
+  };
+  add_heat("friction_power_W", m.heat.friction);
   const bool has_band = model.law == friction::FrictionLaw::table && model.table->has_band();
-  if (has_band) list.push_back({"friction_power_band_W", m.heat.friction_band});
-  list.push_back({"drive_heat_W", m.heat.drive});
-  list.push_back({"heat_to_coolant_W", m.heat.coolant});
-  list.push_back({"heat_to_air_W", m.heat.air});
-  list.push_back({"heat_to_machine_W", m.heat.machine});
-  list.push_back({"heat_stored_W", m.heat.stored});
+  if (has_band) add_heat("friction_power_band_W", m.heat.friction_band);
+  add_heat("drive_heat_W", m.heat.drive);
+  add_heat("heat_to_coolant_W", m.heat.coolant);
+  add_heat("heat_to_air_W", m.heat.air);
+  add_heat("heat_to_machine_W", m.heat.machine);
+  add_heat("heat_stored_W", m.heat.stored);
   const std::vector<model::ThermometerPlace>& sensors = model.spindle->sensors;
   for (std::size_t k = 0; k < sensors.size(); ++k)
     list.push_back(

@@ -185,8 +185,10 @@ class Calibrator {
     for (const Level& level : levels_) {
       result_.off_line = std::max(result_.off_line,
                                   std::abs(level.mean - straight[0] - straight[1] * level.torque));
-      result_.off_curve =
-          std::max(result_.off_curve, std::abs(level.mean - signal_at(s, level.torque)));
+      const double off = std::abs(level.mean - signal_at(s, level.torque));
+      if (!(off >= result_.off_curve)) continue;
+      result_.off_curve = off;
+      result_.off_curve_at = level.torque;
     }
   }
 
@@ -206,11 +208,11 @@ class Calibrator {
   void look_for_higher_terms() {
     const double p = result_.higher_terms_p_value = higher_terms(fit_);
     if (!(p < sensor_significance)) return;
-    result_.warnings.push_back(record::note::misfit(
-        fmt::format("a {} differs from the readings by up to {:.3g} V, {:.2g} % of the signal "
-                    "range, which is more than chance explains ({}): use --degree {}",
-                    degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
-                    chance(p), best_)));
+    result_.warnings.push_back(record::note::misfit(fmt::format(
+        "a {} differs from the readings by up to {:.3g} V, {:.2g} % of the signal "
+        "range, at {:.4g} N m, which is more than chance explains ({}): use --degree {}",
+        degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
+        result_.off_curve_at, chance(p), best_)));
   }
 
   void look_for_lack_of_fit() {
@@ -243,9 +245,10 @@ class Calibrator {
     if (lack.p_value < sensor_significance && !(result_.higher_terms_p_value < sensor_significance))
       result_.warnings.push_back(record::note::misfit(fmt::format(
           "the means at each torque differ from the {} by up to {:.3g} V, {:.2g} % of the signal "
-          "range, which is more than the scatter of repeated readings (F = {:.3g}, {})",
+          "range, at {:.4g} N m, which is more than the scatter of repeated readings (F = {:.3g}, "
+          "{})",
           degree_name(result_.degree()), result_.off_curve, percent(result_.off_curve),
-          lack.statistic, chance(lack.p_value))));
+          result_.off_curve_at, lack.statistic, chance(lack.p_value))));
   }
 
   /// +1 where the torque had risen to reading i, -1 where it had fallen; 0 at the first torque.

@@ -63,6 +63,7 @@ struct SensorCalibration {
   double off_line = unset;
   /// Largest distance of the mean signal at one torque from the fitted curve [V].
   double off_curve = unset;
+  double off_curve_at = unset;  ///< torque at this distance [N m]
   /// p-value of a test for terms above the fitted degree, up to degree 3 [1]. NaN for degree 3, and
   /// if the readings are too few for a higher term.
   double higher_terms_p_value = unset;
