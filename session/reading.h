@@ -16,7 +16,7 @@ struct Reading {
   bool drop_nan = false;       ///< true: rows with an empty cell are left out
   std::vector<std::string> beside{};  ///< files with further columns of the time record
   Period period{};                    ///< period of readings; only for time records
-  bool without_readings = false;  ///< true: the time record may have no measured displacement
+  bool without_readings = false;      ///< true: the time record may have no measured displacement
   bool one_by_one = false;  ///< true: readings arrive one by one; later readings are unknown
 
   /// Returns the data files to read. With --beside, `data` must contain a single file; the files of
