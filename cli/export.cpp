@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/output_flags.h"
 #include "cli/run_files.h"
+#include "cli/shared_flags.h"
 #include "correction/trust.h"
 #include "session/control_export.h"
 #include "text/error.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct ExportFlags : OutputFlags {
   std::string model, format, record;
+  session::Reading reading;
   bool accept_untrusted = false;
 };
 
@@ -27,10 +29,14 @@ int run(const ExportFlags& flags) {
   flags.require_writable();
   for (const std::string& file : {hal.start, hal.shutdown})
     if (with_hal) text::require_writable(file, flags.if_exists());
+  const session::Reading& how = flags.reading;
+  if (flags.record.empty() && (!how.columns.empty() || !how.beside.empty() || how.drop_nan))
+    throw text::InputError("raceway export: --columns, --beside and --drop-nan need --record",
+                           {.key = "--record"});
   if (!flags.record.empty()) add_input(flags.record);
   const session::Source record(flags.record);
-  control::ControlPlan wanted =
-      session::open_plan(messages(), flags.model, flags.record.empty() ? nullptr : &record);
+  control::ControlPlan wanted = session::open_plan(
+      messages(), flags.model, flags.record.empty() ? nullptr : &record, flags.reading);
   if (!flags.accept_untrusted) session::require_trust(wanted);
   const auto [plan, text, hal_start, hal_shutdown] =
       session::export_plan(std::move(wanted), flags.format, flags.output);
@@ -89,6 +95,8 @@ Run setup_export(CLI::App& command) {
                   "record over time (CSV) that is stored in the file for the self-check; default: "
                   "an artificial record within the ranges of the model")
       ->type_name("RECORD");
+  declare(command, flags->reading);
+  declare_beside(command, flags->reading);
   flags->declare_output(command, "file to write; default: stdout");
   command.add_flag("--accept-untrusted", flags->accept_untrusted,
                    "export the correction even if raceway rates it \"do not use\"");

@@ -31,12 +31,14 @@ std::string name_of(const std::string& output) {
   return name;
 }
 
-control::ControlPlan plan_of(Messages& messages, const Source& model, const Source* record) {
+control::ControlPlan plan_of(Messages& messages, const Source& model, const Source* record,
+                             Reading reading) {
   const files::CorrectionFile file = open_corrections(messages, model);
   control::ControlPlan plan = control::control_plan(file.models, file.control, file.source);
   if (record) {
-    const record::Record data =
-        open_series(messages, *record, file.models, Reading{}.options(file.columns));
+    reading.without_readings = true;  // only its inputs are exported
+    const record::Record data = open_series(messages, reading.sources({*record}).front(),
+                                            file.models, reading.options(file.columns));
     plan.check = control::check_of(plan, file.models, data);
     if (plan.check.rows.size() < data.rows())
       plan.notes.push_back(fmt::format("the check record contains the first {} of {} rows of {}",
@@ -72,9 +74,10 @@ HalFiles hal_files(const std::string& output) {
   return {stem + ".hal", stem + "_shutdown.hal"};
 }
 
-control::ControlPlan open_plan(Messages& messages, const Source& model, const Source* record) {
+control::ControlPlan open_plan(Messages& messages, const Source& model, const Source* record,
+                               const Reading& reading) {
   const std::string text = model.text ? *model.text : text::peek_text(model.name);
-  if (!control::is_control_table(text)) return plan_of(messages, model, record);
+  if (!control::is_control_table(text)) return plan_of(messages, model, record, reading);
   if (record)
     throw text::InputError(fmt::format("--record {}: {} is a table that export wrote, and it "
                                        "already contains its record; remove --record",

@@ -6,6 +6,7 @@
 #include "files/correction_file.h"
 #include "record/record.h"
 #include "session/messages.h"
+#include "session/reading.h"
 #include "session/source.h"
 
 namespace raceway::session {
@@ -33,12 +34,14 @@ struct HalFiles {
 /// Opens a model file for the export to a machine control, and adds a check record: rows of inputs
 /// with the displacements that `raceway correct` predicts. The inputs come from `record`. If
 /// `record` is null, the function generates the inputs. Instead of a model file, `model` may be an
-/// exported table of coefficients, which already contains a check record.
+/// exported table of coefficients, which already contains a check record. `reading` contains the
+/// options for reading `record`.
 ///
 /// Throws text::InputError for a file that cannot be read, and if both an exported table and a
 /// record are given.
 [[nodiscard]] control::ControlPlan open_plan(Messages& messages, const Source& model,
-                                             const Source* record = nullptr);
+                                             const Source* record = nullptr,
+                                             const Reading& reading = {});
 
 /// Throws text::InputError if the trust in a correction is `do_not_use`, or if no correction of the
 /// plan has a channel, an effect or a kinematic law. The message gives the reason. The message also

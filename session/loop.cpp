@@ -14,6 +14,7 @@
 #include "results/results.h"
 #include "session/loop.h"
 #include "text/error.h"
+#include "text/names.h"
 #include "text/units.h"
 
 namespace raceway::session {
@@ -103,6 +104,21 @@ void tell_of_no_temperature(const record::Record& data, std::vector<record::Note
           {.key = std::string(record::temperature.name)}));
 }
 
+/// Records that were fitted as one, where nothing explains them together.
+void tell_of_records(const LoopQuestion& asked, verdict::Diagnosis& found) {
+  const bool unexplained = found.verdict == verdict::Verdict::not_in_catalogue ||
+                           found.verdict == verdict::Verdict::effect_like;
+  if (asked.data.parts.size() < 2 || !asked.per_record.empty() || !unexplained) return;
+  std::vector<std::string> names;
+  for (const record::Parameter& p : found.base) names.push_back(p.name);
+  if (names.empty()) return;
+  found.messages.push_back(record::note::check_data(
+      fmt::format("all records are fitted with the same {0}. If the rig changed between them, for "
+                  "example its oil, try --per-record {1}",
+                  text::listed(names), fmt::join(names, ",")),
+      {.key = "--per-record"}));
+}
+
 /// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
 void average(Messages& messages, const LoopModel& model, record::Record& data, bool rows) {
   if (rows) {
@@ -155,6 +171,7 @@ verdict::Diagnosis diagnose(const LoopQuestion& asked, const verdict::DiagnoseOp
       tell_of_assumed(values, found.messages);
   });
   tell_of_no_temperature(asked.data, found.messages);
+  tell_of_records(asked, found);
   tell_of_scale(asked.data, found.messages);
   return found;
 }

@@ -463,6 +463,12 @@ TEST(LoggerExports, ARecordWithoutTheProbeIsPredicted) {
       "map.toml", "[columns]\ndisplacement_z_um = \"probe\"\ntime_s = \"time_s\"\n");
   const std::string files = record_model + " " + production.file + " --columns " + map;
   EXPECT_EQ(run("correct " + files).status, 0);
+  EXPECT_EQ(run("export " + record_model + " --format csv --accept-untrusted --columns " + map +
+                " --record " + production.file)
+                .status,
+            0);
+  expect_refused(run("export " + record_model + " --format csv --columns " + map),
+                 "--columns, --beside and --drop-nan need --record");
   expect_refused(run("compare " + files), "the column \"probe\" is missing; ");
 }
 

@@ -102,6 +102,15 @@ TEST(SeveralFiles, DiagnoseFindsWhatTheyShareInAnyOrder) {
   EXPECT_GT(error(" --refit f0,z"), 2.0 * error(" --per-record f0,z"));
 }
 
+TEST(SeveralFiles, OnesThatDifferMayHaveValuesOfTheirOwn) {
+  const Days d;
+  const std::string other = d.scratch.write("other.csv", day(6.0, 3));
+  const char* const advice = "all records are fitted with the same f0 and z. If the rig changed";
+  EXPECT_THAT(run("diagnose " + d.model + " " + d.monday + " " + other).err, HasSubstr(advice));
+  EXPECT_THAT(run("diagnose " + d.model + " " + d.monday + " " + other + " --per-record f0").err,
+              Not(HasSubstr(advice)));
+}
+
 TEST(SeveralFiles, ReportShowsTheRecordOfEachRow) {
   if (!has_reports()) GTEST_SKIP();
   const Days d;
