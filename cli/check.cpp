@@ -91,8 +91,7 @@ Run setup_check(CLI::App& command) {
   command
       .add_flag("--suggest-columns", flags->suggest,
                 "only propose a map from the columns of the file to the columns of raceway (TOML)")
-      ->excludes("--json")
-      ->excludes("--beside");
+      ->excludes("--json");
   for (const char* const of_data : {"--columns", "--drop-nan", "--beside", "--output"})
     command.get_option(of_data)->needs("DATA");
   command.footer(

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/output_flags.h"
+#include "cli/shared_flags.h"
 #include "session/new_model.h"
 #include "text/error.h"
 
@@ -14,7 +15,8 @@ namespace {
 
 struct NewFlags : OutputFlags {
   session::NewModel wanted;
-  std::string record, columns;
+  std::string record;
+  session::Reading reading;
 };
 
 /// True if a flag describes a bearing.
@@ -32,10 +34,11 @@ std::string text_of(const NewFlags& flags) {
           "raceway new: --record writes a correction, which has no bearing: remove BEARING, "
           "--spindle and their flags",
           {.key = "--record"});
-    return session::new_correction_text(messages(), flags.record, {.columns = flags.columns});
+    return session::new_correction_text(messages(), flags.record, flags.reading);
   }
-  if (!flags.columns.empty())
-    throw text::InputError("raceway new: --columns needs --record", {.key = "--columns"});
+  if (!flags.reading.columns.empty() || !flags.reading.beside.empty())
+    throw text::InputError("raceway new: --columns and --beside need --record",
+                           {.key = "--record"});
   session::NewModel wanted = flags.wanted;
   if (wanted.bearing.empty() && !wanted.spindle)
     throw text::InputError(
@@ -69,10 +72,11 @@ Run setup_new(CLI::App& command) {
                   "(CSV), with one channel for each temperature, at most four channels")
       ->type_name("RECORD");
   command
-      .add_option("--columns", flags->columns,
+      .add_option("--columns", flags->reading.columns,
                   "map from columns of RECORD to columns of raceway (TOML, table [columns]), if "
                   "their names are different")
       ->type_name("FILE");
+  declare_beside(command, flags->reading);
   add_length(command, "--bore", flags->wanted.outline.bore, {1, 5000, "mm"},
              "bore of a bearing that is not in the catalogue, in mm or with a unit (2.7559in)");
   add_length(command, "--outer-diameter", flags->wanted.outline.outer_diameter, {2, 10000, "mm"},

@@ -82,6 +82,21 @@ std::string line_of(const text::CsvTable& table, const ColumnProposal& p) {
                      p.unit->suffix);
 }
 
+/// `time_s = ["Zeit", "Timestamp"]` where columns of several files need a rule for one quantity;
+/// otherwise empty.
+std::string list_of(const std::vector<ProposedFile>& files, const record::Channel& channel) {
+  std::vector<std::string> columns;
+  for (const ProposedFile& file : files)
+    for (const ColumnProposal& p : file.proposals) {
+      if (!(*p.channel == channel) || p.has_our_name || !p.unknown_unit.empty()) continue;
+      const std::string line = line_of(*file.table, p);
+      const std::size_t begin = line.find(" = ") + 3;
+      columns.push_back(line.substr(begin, line.find("  #") - begin));
+    }
+  return columns.size() > 1 ? fmt::format("{} = [{}]\n", channel.name, fmt::join(columns, ", "))
+                            : std::string();
+}
+
 std::string rule_text(const ColumnRule& rule) {
   if (rule.constant) return fmt::format("{}", *rule.constant);
   std::string text = "{ column = " + text::in_quotes(rule.header);
@@ -177,24 +192,34 @@ std::optional<ColumnProposal> column_as(const text::CsvTable& table, std::size_t
   return p;
 }
 
-std::string proposed_columns(const text::CsvTable& table,
-                             const std::vector<ColumnProposal>& proposals,
+std::string proposed_columns(const std::vector<ProposedFile>& files,
                              const std::vector<std::string>& missing, const ColumnMap& given) {
+  std::vector<std::string> names, others;
+  for (const ProposedFile& file : files)
+    names.push_back(std::filesystem::path(file.table->source).filename().string());
   std::string text = fmt::format(
       "# Columns of {}, proposed from their names and units: check each line.\n"
       "# For --columns FILE, or for the model file.\n"
       "[columns]\n",
-      std::filesystem::path(table.source).filename().string());
+      text::listed(names));
   text += rules_text(given);
-  for (const ColumnProposal& p : proposals)
-    text += line_of(table, p) + (p.remark.empty() ? "\n" : "  # " + p.remark + "\n");
+  std::vector<const record::Channel*> written;
+  for (const ProposedFile& file : files) {
+    for (const ColumnProposal& p : file.proposals) {
+      const std::string line = line_of(*file.table, p);
+      if (const std::string list = list_of(files, *p.channel); list.empty())
+        text += line + (p.remark.empty() ? "\n" : "  # " + p.remark + "\n");
+      else if (std::find(written.begin(), written.end(), p.channel) == written.end())
+        text += list;
+      written.push_back(p.channel);
+    }
+    for (std::size_t c = 0; c < file.table->header.size(); ++c)
+      if (std::none_of(file.proposals.begin(), file.proposals.end(),
+                       [&](const ColumnProposal& p) { return p.column == c; }) &&
+          !given.find(file.table->header[c]))
+        others.push_back(text::in_quotes(file.table->header[c]));
+  }
   for (const std::string& line : missing) text += line + "\n";
-  std::vector<std::string> others;
-  for (std::size_t c = 0; c < table.header.size(); ++c)
-    if (std::none_of(proposals.begin(), proposals.end(),
-                     [&](const ColumnProposal& p) { return p.column == c; }) &&
-        !given.find(table.header[c]))
-      others.push_back(text::in_quotes(table.header[c]));
   if (!others.empty()) text += "# not used: " + text::listed(others) + "\n";
   return text;
 }

@@ -104,8 +104,7 @@ std::string with_remarks(const std::string& text,
 
 NewCorrection new_correction(const Source& source, const ReadOptions& given) {
   ReadOptions options = over_time(given);
-  const SeriesColumns columns =
-      series_columns(read_measurements(source, options), {}, options.columns);
+  const SeriesColumns columns = series_columns(tables_of(source, options), {}, options.columns);
   const std::string combined = transducers_text(options.columns);
   if (!columns.all_ours)
     options.columns = parse_column_map(columns.text + "\n" + combined, "[columns]");

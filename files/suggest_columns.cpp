@@ -134,7 +134,7 @@ std::string text_of(const text::CsvTable& table, const model::ModelSubject& subj
   for (const Channel* channel : file_channels())
     for (const ColumnProposal& p : chosen)
       if (*p.channel == *channel) in_order.push_back(p);
-  return proposed_columns(table, in_order, missing_lines(subject, chosen));
+  return proposed_columns({{&table, in_order}}, missing_lines(subject, chosen));
 }
 
 }  // namespace

@@ -184,17 +184,18 @@ bool is_of_room(const std::string& name) {
                                                   "umgebung", "raum", "halle"};
   const std::vector<std::string_view> parts = parts_of_name(name);
   return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
-    return part == "amb" || std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-             return part.starts_with(word);
-           });
+    return part == "amb" || part == "luft" ||
+           std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return part.starts_with(word); });
   });
 }
 
 class SeriesProposals {
  public:
+  /// `found`: channels of the other files of the record.
   SeriesProposals(const text::CsvTable& table, const std::vector<correction::Model>& models,
-                  const ColumnMap& given)
-      : table_(table), given_(given) {
+                  const ColumnMap& given, std::vector<const Channel*> found)
+      : table_(table), given_(given), found_(std::move(found)) {
     want(record::time);
     for (const correction::Model& m : models) want(*m.displacement);
     for (const correction::Model& m : models) {
@@ -202,6 +203,7 @@ class SeriesProposals {
       for (const Channel* c : correction::inputs_of(m)) want(*c);
     }
     for (const ColumnRule& rule : given.rules) std::erase(wanted_, rule.channel);
+    for (const Channel* c : found_) std::erase(wanted_, c);
     for (std::size_t c = 0; c < table.header.size(); ++c) {
       if (given.find(table.header[c]) || given.find_transducer(table.header[c])) continue;
       if (auto column = column_of_series(table, c))
@@ -211,7 +213,7 @@ class SeriesProposals {
     }
   }
 
-  SeriesColumns proposed() {
+  std::vector<ColumnProposal> proposed() {
     take_our_names();
     take_by_likeness();
     take_the_only_ones();
@@ -221,15 +223,11 @@ class SeriesProposals {
       for (const ColumnProposal& p : chosen_)
         if (kind_of(*p.channel) == &kind) in_order.push_back(p);
     in_order.insert(in_order.end(), recorded_.begin(), recorded_.end());
-    std::vector<std::string> missing;
-    for (const Channel* c : wanted_)
-      missing.push_back(fmt::format("# {} = \"...\"  # not found, but needed", c->name));
-    const bool ours = std::all_of(in_order.begin(), in_order.end(),
-                                  [](const ColumnProposal& p) { return p.has_our_name; });
-    const bool says_more =
-        !given_.rules.empty() || given_.decimal_mark != '\0' || given_.date_order;
-    return {proposed_columns(table_, in_order, missing, given_), ours && !says_more};
+    return in_order;
   }
+
+  /// What the models need and no file has.
+  [[nodiscard]] const std::vector<const Channel*>& missing() const { return wanted_; }
 
  private:
   void want(const Channel& channel) {
@@ -312,7 +310,9 @@ class SeriesProposals {
       const SeriesColumn& c = columns_.front();
       const auto taken = [&](std::string_view name) {
         return std::any_of(chosen_.begin(), chosen_.end(),
-                           [&](const ColumnProposal& p) { return p.channel->name == name; });
+                           [&](const ColumnProposal& p) { return p.channel->name == name; }) ||
+               std::any_of(found_.begin(), found_.end(),
+                           [&](const Channel* other) { return other->name == name; });
       };
       std::string name(c.kind->single);
       if (c.kind->end == "_temperature_C" && is_of_room(c.name)) name = "room_temperature_C";
@@ -333,6 +333,7 @@ class SeriesProposals {
 
   const text::CsvTable& table_;
   const ColumnMap& given_;
+  std::vector<const Channel*> found_;
   bool has_inputs_ = false;
   std::vector<const Channel*> wanted_{};
   std::vector<SeriesColumn> columns_{};  ///< not chosen yet
@@ -342,13 +343,35 @@ class SeriesProposals {
 }  // namespace
 
 std::string suggested_columns(const Source& source, const std::vector<correction::Model>& models) {
-  const text::CsvTable table = read_measurements(source, {.over_time = true});
-  return series_columns(table, models, {}).text;
+  return series_columns(tables_of(source, {.over_time = true}), models, {}).text;
 }
 
-SeriesColumns series_columns(const text::CsvTable& table,
+std::vector<text::CsvTable> tables_of(const Source& source, const ReadOptions& options) {
+  std::vector<text::CsvTable> tables{read_measurements(source, options)};
+  for (const Source& other : source.beside) tables.push_back(read_measurements(other, options));
+  return tables;
+}
+
+SeriesColumns series_columns(const std::vector<text::CsvTable>& tables,
                              const std::vector<correction::Model>& models, const ColumnMap& given) {
-  return SeriesProposals(table, models, given).proposed();
+  std::vector<ProposedFile> files;
+  std::vector<const Channel*> found, missing;
+  bool ours = true;
+  for (const text::CsvTable& table : tables) {
+    SeriesProposals of_table(table, models, given, found);
+    files.push_back({&table, of_table.proposed()});
+    for (const ColumnProposal& p : files.back().proposals) {
+      ours = ours && p.has_our_name;
+      // Each file has a time of its own.
+      if (!(*p.channel == record::time)) found.push_back(p.channel);
+    }
+    missing = of_table.missing();
+  }
+  std::vector<std::string> lines;
+  for (const Channel* c : missing)
+    lines.push_back(fmt::format("# {} = \"...\"  # not found, but needed", c->name));
+  const bool says_more = !given.rules.empty() || given.decimal_mark != '\0' || given.date_order;
+  return {proposed_columns(files, lines, given), ours && !says_more};
 }
 
 }  // namespace raceway::files

@@ -310,6 +310,11 @@ class BearingInLoop final : public LoopModel {
   }
 
   std::string suggested_columns(const Source& data) const override {
+    if (!data.beside.empty())
+      throw text::InputError(
+          "--suggest-columns proposes columns of several files only for a correction; propose a "
+          "map for each file",
+          {.key = "--beside"});
     return files::suggested_columns(data, *files::make_subject(file_.model));
   }
 

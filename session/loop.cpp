@@ -297,9 +297,10 @@ std::string suggested_columns(Messages& messages, const Source& model, const Sou
     throw text::InputError(
         data.name + ": this is a model file; measurements (CSV) are expected here",
         {.file = data.name});
+  const Source files = options.reading.sources({data}).front();
   const std::unique_ptr<LoopModel> opened =
       open_any_correction(messages, model, std::move(options));
-  return opened->suggested_columns(data);
+  return opened->suggested_columns(files);
 }
 
 std::string CheckedModel::json() const {

@@ -137,7 +137,7 @@ std::string new_correction_text(Messages& messages, const Source& data, const Re
     throw text::InputError(data.name + ": this is a model file; a record (CSV) is expected here",
                            {.file = data.name});
   const files::NewCorrection made =
-      files::new_correction(files::repeatable(data), reading.options());
+      files::new_correction(files::repeatable(reading.sources({data}).front()), reading.options());
   messages.say(made.notes);
   return made.text;
 }

@@ -43,10 +43,16 @@ struct ColumnProposal {
                                                       std::size_t column,
                                                       const record::Channel& channel);
 
+/// A file and the proposals for its columns.
+struct ProposedFile {
+  const text::CsvTable* table;
+  std::vector<ColumnProposal> proposals;
+};
+
 /// Returns the text of a table [columns]: the rules of `given`, a rule for each proposal, the lines
-/// `missing`, and comments with the unused columns.
-[[nodiscard]] std::string proposed_columns(const text::CsvTable& table,
-                                           const std::vector<ColumnProposal>& proposals,
+/// `missing`, and comments with the unused columns. If columns of several files give the same
+/// quantity, as the time, the rule is a list of these columns.
+[[nodiscard]] std::string proposed_columns(const std::vector<ProposedFile>& files,
                                            const std::vector<std::string>& missing,
                                            const ColumnMap& given = {});
 

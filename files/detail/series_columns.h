@@ -5,6 +5,7 @@
 
 #include "correction/model.h"
 #include "files/column_map.h"
+#include "files/source.h"
 #include "text/csv.h"
 
 /// Proposed table [columns] for a time record that another program wrote.
@@ -16,9 +17,13 @@ struct SeriesColumns {
 };
 
 /// Works like suggested_columns(): it finds first the columns that `models` need, then all other
-/// columns. The rules in `given` are kept.
-[[nodiscard]] SeriesColumns series_columns(const text::CsvTable& table,
+/// columns. `tables` are the files of one record. The rules in `given` are kept.
+[[nodiscard]] SeriesColumns series_columns(const std::vector<text::CsvTable>& tables,
                                            const std::vector<correction::Model>& models,
                                            const ColumnMap& given);
+
+/// Reads a file of a time record and the files beside it, for series_columns().
+[[nodiscard]] std::vector<text::CsvTable> tables_of(const Source& source,
+                                                    const ReadOptions& options);
 
 }  // namespace raceway::files

@@ -124,7 +124,7 @@ TEST(New, AMapNamesWhatTheWordsDoNot) {
   EXPECT_THAT(file_text(model), HasSubstr("displacement_y_um = { column = \"Y7\" }\n"));
   EXPECT_THAT(file_text(model), HasSubstr("settings_hold = \"until row\"\n"));
   EXPECT_EQ(run("identify " + model + " " + record).status, 0);
-  expect_refused(run("new 'S 6014 C' --columns " + map), "--columns needs --record");
+  expect_refused(run("new 'S 6014 C' --columns " + map), "--columns and --beside need --record");
   EXPECT_EQ(run("new 'S 6014 C' --record " + record).status, 1);
   EXPECT_EQ(run("new --law skf --record " + record).status, 1);
 }

@@ -180,6 +180,26 @@ TEST(SuggestColumns, OfACorrectionKnowTheSpindleAndTheRoom) {
   EXPECT_THAT(map, HasSubstr("\nroom_temperature_C = { column = \"Raumluft [\u00b0C]\""));
 }
 
+TEST(SuggestColumns, OfSeveralFilesAreOneMap) {
+  Source record("temperatures.csv",
+                "Zeit;Lager vorn [\u00b0C];Raumluft [\u00b0C];Bemerkung\n"
+                "12.03.2024 08:00:00;20,5;20,0;\n12.03.2024 08:01:00;21,5;20,0;x\n");
+  record.beside.emplace_back("probe.csv",
+                             "Timestamp,Probe Z (mm)\n2024-03-12T08:00:30,0.001\n"
+                             "2024-03-12T08:01:30,0.002\n");
+  record.beside.emplace_back("speed.csv", "time_s,Spindle speed (rpm)\n0,0\n60,3000\n");
+  const std::vector<correction::Model> models{
+      {.displacement = record::series_channel("displacement_z_um")}};
+  const std::string map = suggested_columns(record, models);
+  EXPECT_THAT(map, HasSubstr("# Columns of temperatures.csv, probe.csv and speed.csv, proposed"));
+  EXPECT_THAT(map, HasSubstr("\ntime_s = [\"Zeit\", \"Timestamp\"]\n"));
+  EXPECT_THAT(map, HasSubstr("\ndisplacement_z_um = { column = \"Probe Z (mm)\", unit = \"mm\" }"));
+  EXPECT_THAT(map, HasSubstr("\nspeed_rpm = { column = \"Spindle speed (rpm)\""));
+  EXPECT_THAT(map, HasSubstr("\n# not used: \"Bemerkung\"\n"));
+  EXPECT_THAT(map, Not(HasSubstr("not found")));
+  EXPECT_EQ(parse_column_map(map, "map.toml").rules.size(), 6U);
+}
+
 TEST(SuggestColumns, OfABareCorrectionAreAllInputs) {
   const std::string map =
       suggested_for("[correction]\ndisplacement = \"displacement_z_um\"\n", german_machine);
