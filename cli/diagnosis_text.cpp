@@ -133,7 +133,7 @@ std::string advice(const verdict::Diagnosis& d) {
     const verdict::SuggestedMeasurement& m = d.suggested_measurements.front();
     text += lines_of(fmt::format("Measure next: {} ({} times){}{}.", m.words, m.repeats,
                                  more(d.suggested_measurements.size()),
-                                 verdict::will_decide(d) ? "" : "; it may not decide"));
+                                 verdict::will_decide(d) ? "" : ". This may not decide"));
   }
   if (!d.records_needed.empty())
     text += lines_of(

@@ -105,10 +105,10 @@ std::optional<CatalogueBearing> row_named(const std::string& name) {
 
 /// An angle in rad and a load rating in kN would pass as odd bearings.
 void refuse_other_units(const Section& s, const BearingGeometry& g) {
-  if (g.contact_angle > 0.0 && g.contact_angle < 1.0 * degree && s.find("contact_angle_deg"))
+  if (g.contact_angle > 0.0 && g.contact_angle < 2.0 * degree && s.find("contact_angle_deg"))
     s.fail(
         "contact_angle_deg",
-        fmt::format("contact_angle_deg = {:.4g}: must be 0, or from 1 to 65 deg; is the value in "
+        fmt::format("contact_angle_deg = {:.4g}: must be 0, or from 2 to 65 deg; is the value in "
                     "rad?",
                     g.contact_angle / degree));
   // ISO 76: C0 = f0 Z D² cos α with f0 of 12 to 17 N/mm².

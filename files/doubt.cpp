@@ -84,8 +84,10 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
       if (const ColumnSource* const column = column_of(*doubt.reversed, stamped);
           column && column->cells.factor == 1.0) {
         if (questions.empty()) place.key = column->name;
-        add(fmt::format("{}. Reverse the sign in [columns]: {} = {{ column = {}, factor = -1 }}",
-                        doubt.text, doubt.reversed->name, text::in_quotes(column->name)));
+        const std::string unit =
+            column->cells.unit ? fmt::format(", unit = \"{}\"", column->cells.unit->suffix) : "";
+        add(fmt::format("{}. Reverse the sign in [columns]: {} = {{ column = {}{}, factor = -1 }}",
+                        doubt.text, doubt.reversed->name, text::in_quotes(column->name), unit));
         continue;
       }
     for (const Doubt::Guess& guess : doubt.units) {
@@ -97,7 +99,9 @@ std::vector<record::Note> asked_about(const std::vector<Doubt>& doubts, const So
     }
     if (stamped) continue;  // dates have no unit
     if (answers.empty() || answered)
-      warnings.push_back(record::note::unit(doubt.text, {.file = source.name}));
+      warnings.push_back(
+          record::note::unit(doubt.text + (doubt.reversed ? "; set factor = -1 in [columns]" : ""),
+                             {.file = source.name}));
     else
       add(
           fmt::format("{} If so, set the unit in [columns]: {}. If the values are right as they "

@@ -234,7 +234,7 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
     if (!moment && f.factor < 100.0) continue;
     const bool small = ratio.middle < 0;
     // A torque in a larger unit is read as too small; inputs in a larger unit make it too large.
-    if (f.factor < 100.0 && small != (f.factor == 10.0)) continue;
+    if (timed ? f.factor == 10.0 : f.factor < 100.0 && small != (f.factor == 10.0)) continue;
     std::string text = fmt::format(
         "readings of {} are about {:.0f} times too {} for the model: {}?", channel.words,
         f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
@@ -251,7 +251,8 @@ std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, cons
 
 std::optional<Doubt> sign_of_readings(const Channel& channel, const Ratio& ratio) {
   if (!ratio.known() || ratio.opposite < 0.9) return std::nullopt;
-  if (channel == record::friction_torque)
+  // A zero that is off leaves readings that rise where they should.
+  if (channel == record::friction_torque && !(ratio.correlation > 0.0))
     return Doubt{.text =
                      "readings of friction torque have the opposite sign: a torque against the "
                      "motion is positive",

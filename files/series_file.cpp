@@ -92,11 +92,12 @@ class SeriesReader {
     std::vector<std::string> others = found_.others;
     for (const ColumnSource& source : found_.columns) others.push_back(source.name);
     throw text::InputError(
-        fmt::format("{}:{}: column {} is missing{}{}; the header has {}\n{}. If another file has "
-                    "this column, add --beside FILE",
-                    table_.source, table_.header_line, channel.name, why,
-                    why.empty() ? text::suggestion(channel.name, others) : std::string(),
-                    text::listed(table_.header), if_named_otherwise(table_)),
+        fmt::format(
+            "{}:{}: column {} is missing{}{}; the header has {}\n{}{}", table_.source,
+            table_.header_line, channel.name, why,
+            why.empty() ? text::suggestion(channel.name, others) : std::string(),
+            text::listed(table_.header), if_named_otherwise(table_),
+            channel == record::time ? "" : ". If another file has this column, add --beside FILE"),
         place_in_header(table_, channel.name));
   }
   [[nodiscard]] bool has(const Channel& channel) const {
@@ -227,6 +228,7 @@ class SeriesReader {
 
 /// Steps of time far beyond the usual one.
 void note_gaps(Record& result, bool of_spindle) {
+  constexpr std::string_view cold_start = ", and the spindle starts from rest";
   constexpr std::string_view warm_start =
       ", and initial_state = \"free\" in the model lets the run start warm";
   constexpr double far_beyond = 20.0, an_hour = 3600.0;
@@ -255,7 +257,7 @@ void note_gaps(Record& result, bool of_spindle) {
             (longest > an_hour
                  ? ". If the settings changed during the gap, enter another run_id for "
                    "the rows after the gap; the displacement then has a new zero" +
-                       std::string(of_spindle ? "" : warm_start)
+                       std::string(of_spindle ? cold_start : warm_start)
                  : ""),
         {.line = result.line(first)}));
 }
@@ -408,6 +410,7 @@ class SeriesOfFiles {
     Record result{.source = parts_.front().source, .settings_hold = parts_.front().settings_hold};
     result.set(record::time, times_);
     for (std::size_t k = 0; k < parts_.size(); ++k) add(parts_[k], result);
+    hold_into_runs(result);
     for (Record& part : parts_)
       for (record::Note& one : part.notes) {
         one.text.insert(0, part.source + ": ");
@@ -437,10 +440,11 @@ class SeriesOfFiles {
   void find_starts() {
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       const std::span<const double> time = parts_[k].values(record::time);
-      if (!std::is_sorted(time.begin(), time.end()))
+      if (std::adjacent_find(time.begin(), time.end(), std::greater_equal()) != time.end())
         throw text::InputError(
-            fmt::format("{}: the times start again in each run, so other files cannot be joined; "
-                        "give dates, or times that increase through all runs",
+            fmt::format("{}: the time does not increase from run to run, so other files cannot be "
+                        "joined; sort the runs, and give dates or times that increase through all "
+                        "runs",
                         parts_[k].source),
             {.file = parts_[k].source, .key = "time_s"});
       const auto &first = files_.front()->clock_start(), &own = files_[k]->clock_start();
@@ -454,12 +458,32 @@ class SeriesOfFiles {
     }
     for (std::size_t k = 0; k < parts_.size(); ++k)
       if (files_[k]->clock_start())
-        for (double& t : parts_[k].find(record::time)->values)
-          t += files_[k]->clock_start()->begin - files_.front()->clock_start()->begin;
+        for (double& t : parts_[k].find(record::time)->values) t += begin_of(k) - begin_of(0);
   }
 
-  /// Throws InputError where two files are of different time zones, or where the clock of one
-  /// changes to or from summer time and that of the other does not.
+  /// The first time of a file on a clock without the changes that other files saw before it.
+  [[nodiscard]] double begin_of(std::size_t k) const {
+    constexpr double hour = 3600.0;
+    const double begin = files_[k]->clock_start()->begin;
+    std::vector<ColumnReader::ClockChange> before;
+    for (const auto& file : files_)
+      for (const ColumnReader::ClockChange& c : file->clock_start()->changes)
+        if (c.time < begin && std::none_of(before.begin(), before.end(),
+                                           [&](const auto& other) { return is_same(c, other); }))
+          before.push_back(c);
+    double without = begin;
+    for (const ColumnReader::ClockChange& c : before) without += c.forward ? -hour : hour;
+    return without;
+  }
+
+  static bool is_same(const ColumnReader::ClockChange& a, const ColumnReader::ClockChange& b) {
+    constexpr double day = 86400.0;
+    return a.forward == b.forward && std::abs(a.time - b.time) < day;
+  }
+
+  /// Throws InputError where dates of one file have an offset from UTC and those of the other have
+  /// none, or where the clock of one file changes to or from summer time and the clock of the other
+  /// shows no such change.
   void require_one_clock(std::size_t a, std::size_t b) const {
     const ColumnReader::ClockStart &one = *files_[a]->clock_start(),
                                    &other = *files_[b]->clock_start();
@@ -476,16 +500,14 @@ class SeriesOfFiles {
              one.has_zone ? b : a, 0);
     for (const auto& [changing, still] : {std::pair(a, b), std::pair(b, a)})
       for (const ColumnReader::ClockChange& c : files_[changing]->clock_start()->changes) {
-        constexpr double day = 86400.0;
         const ColumnReader::ClockStart& start = *files_[still]->clock_start();
         const double last = start.begin + parts_[still].values(record::time).back();
         const bool covers = start.begin < c.time && last > c.time;
-        const bool agrees = std::any_of(
-            start.changes.begin(), start.changes.end(), [&](const ColumnReader::ClockChange& s) {
-              return s.forward == c.forward && std::abs(s.time - c.time) < day;
-            });
+        const bool agrees =
+            std::any_of(start.changes.begin(), start.changes.end(),
+                        [&](const ColumnReader::ClockChange& s) { return is_same(s, c); });
         if (covers && !agrees)
-          refuse(fmt::format("{}:{}: the clock goes {} by one hour, and in {} it does not",
+          refuse(fmt::format("{}:{}: the clock goes {} by one hour, and {} shows no such change",
                              parts_[changing].source, c.line, c.forward ? "forward" : "back",
                              parts_[still].source),
                  changing, c.line);
@@ -520,16 +542,29 @@ class SeriesOfFiles {
                 part.source, c.name),
             {.file = part.source, .key = std::string(c.name)});
       }
-      std::vector<double> values(times_.size(), unset);
       if (c.role == Role::run) {
         if (c == record::run) result.runs = part.runs;
         result.set(c, until_next(column.values, time));
         continue;
       }
+      std::vector<double> values(times_.size(), unset);
       for (std::size_t row = 0; row < time.size(); ++row)
         values[static_cast<std::size_t>(std::lower_bound(times_.begin(), times_.end(), time[row]) -
                                         times_.begin())] = column.values[row];
       result.set(c, std::move(values));
+    }
+  }
+
+  /// A setting of another file than the runs does not end with a run.
+  static void hold_into_runs(Record& result) {
+    for (record::Column& c : result.columns) {
+      if (!c.channel->is_input() || record::course_of(*c.channel) != record::Course::held) continue;
+      double last = unset;
+      for (std::size_t row = 0; row < c.values.size(); ++row) {
+        const bool begins = row > 0 && result.run_of(row) != result.run_of(row - 1);
+        if (begins && std::isnan(c.values[row])) c.values[row] = last;
+        if (!std::isnan(c.values[row])) last = c.values[row];
+      }
     }
   }
 

@@ -21,9 +21,10 @@ using record::Role;
 
 constexpr std::size_t fewest_rows_of_a_dwell = 5;
 constexpr double longest_pause = 120.0;  // between rows of one dwell [s]
-constexpr double of_own_size = 0.02;   // a setting moves by no more than that, however small it is
-constexpr double standstill = 1e-3;    // of the largest: less is none
-constexpr double most_drift = 1.0;     // of a temperature within one mean [K]
+constexpr double of_own_size = 0.02;  // a setting moves by no more than that, however small it is
+constexpr double standstill = 1e-3;   // of the largest: less is none
+constexpr double longest_step_of_a_ramp = 5.0;  // from row to row [s]
+constexpr double most_drift = 1.0;              // of a temperature within one mean [K]
 constexpr std::size_t smoothing = 9;   // rows over which a temperature is averaged to see it move
 constexpr std::size_t with_trend = 8;  // rows from which a trend is told from scatter
 constexpr double drift_worth_a_trend = 0.2;  // of a temperature over a dwell [K]
@@ -414,8 +415,9 @@ Averaged average_dwells(const Record& record) {
   // a record.
   if (!result.any() || means.size() < 2 || 2 * result.alone > record.rows())
     return {.rows = record.rows()};
-  if (record.has(record::time)) {
-    const double usual = step_of_time(record, means);
+  // With one dwell, the ramp is the measurement.
+  if (const double usual = record.has(record::time) ? step_of_time(record, means) : unset;
+      result.dwells > 1 && usual <= longest_step_of_a_ramp) {
     result.ramps = std::erase_if(means, [&](const Stay& s) {
       return !s.dwell && is_on_ramp(record, held.front(), s.first, usual);
     });

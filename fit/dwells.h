@@ -47,9 +47,9 @@ struct Averaged {
 
 /// Averages the rows of each dwell. The result has one row for each dwell, with the means of
 /// inputs, time and readings. Rows outside dwells are unchanged, or left out if they are on a fast
-/// ramp: the first setting, usually the speed, rises or falls from the row before to the row after
-/// by more than twice the largest deviation that a dwell may have. The reading of such a row
-/// contains the torque that accelerates the rotor.
+/// ramp: rows follow each other within 5 s, and the first setting, usually the speed, rises or
+/// falls from the row before to the row after by more than twice the largest deviation that a dwell
+/// may have. The reading of such a row contains the torque that accelerates the rotor.
 ///
 /// A dwell has at least five consecutive rows of one run, with equal settings and at most two
 /// minutes between rows. Temperatures may drift. A dwell in which a temperature changes by more

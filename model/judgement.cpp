@@ -15,6 +15,11 @@
 namespace raceway::model {
 namespace {
 
+/// How far a value is above its limit: relative, so that bearings of all sizes compare.
+double excess(double value, double limit) {
+  return limit == 0.0 ? value : (value - limit) / std::abs(limit);
+}
+
 constexpr double strength_of_rings = 2e9;          // [Pa]
 constexpr double solid_oil = 1e7 * mm2_per_s;      // [m²/s]
 constexpr double coldest = 50.0, hottest = 800.0;  // at which anything is asked [K]
@@ -94,7 +99,7 @@ void Judge::Worst::look(double value_here, double limit_here, const std::string&
                         const bearing::OperatingPoint& point_here) {
   if (!(value_here > limit_here)) return;
   ++points;
-  if (points > 1 && !(value_here - limit_here > value - limit)) return;
+  if (points > 1 && !(excess(value_here, limit_here) > excess(value, limit))) return;
   value = value_here;
   limit = limit_here;
   place = place_here;
@@ -103,7 +108,7 @@ void Judge::Worst::look(double value_here, double limit_here, const std::string&
 
 void Judge::Worst::add(const Worst& other) {
   const bool is_worse =
-      other.points > 0 && (points == 0 || other.value - other.limit > value - limit);
+      other.points > 0 && (points == 0 || excess(other.value, other.limit) > excess(value, limit));
   const std::size_t both = points + other.points;
   if (is_worse) *this = other;
   points = both;
@@ -234,10 +239,13 @@ void Judge::add_notes(Findings& findings) const {
   add(lost, lost_, 1.0,
       fmt::format("{}{:.0f} ball{} lost contact with the inner race", points_ == 1 ? "" : "up to ",
                   lost_.value, lost_.value == 1.0 ? " has" : "s have"));
-  add(limits::minimum_load, little_load_, -1.0,
-      fmt::format("the axial load of {:.4g} N is below the minimum load of {:.4g} N, so balls may "
-                  "skid",
-                  -little_load_.value, -little_load_.limit));
+  if (little_load_.points > 0)
+    findings.push_back(finding_of(
+        limits::minimum_load, little_load_, -1.0,
+        fmt::format(
+            "{}{}the axial load of {:.4g} N is below the minimum load of {:.4g} N, so balls "
+            "may skid",
+            count(little_load_), before(little_load_), -little_load_.value, -little_load_.limit)));
   add(bottom, bottom_, 1.0,
       fmt::format("without an axial load, the balls run at the bottom of the grooves, at a contact "
                   "angle of about 0 deg; an axial load of {:.3g} N would press half of the balls "

@@ -188,8 +188,11 @@ void add_law(std::vector<Parameter>& list, const Model& model) {
     const std::string name(n.name);
     Parameter p = parameter_at(model, {table_of(n) + "." + name}, name, n.unit, n.lower, n.upper);
     p.initial = n.initial;
-    p.plausible_lower = n.plausible_lower;
-    p.plausible_upper = n.plausible_upper;
+    // Makers give z for the load P0.
+    if (name != "z" || model.f1_load == friction::F1Load::P0) {
+      p.plausible_lower = n.plausible_lower;
+      p.plausible_upper = n.plausible_upper;
+    }
     add(list, std::move(p));
   }
 }

@@ -23,25 +23,6 @@ constexpr double plausible_factor = 3.0;
 constexpr double seen_within_blocks = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr double collinear = 1e-9;           // of a squared length
 
-/// `factor`: how far beyond the range met in practice.
-bool is_plausible(const record::Parameter& p, double factor) {
-  const double margin = std::isfinite(p.std) ? 2.0 * p.std : 0.0;
-  const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
-  const auto limit = [&](double given, double bound) {  // without a range met in practice any size
-    return (std::isnan(given) ? bound : given) - neutral;
-  };
-  double low = limit(p.plausible_lower, p.lower);
-  double high = limit(p.plausible_upper, p.upper);
-  // Little of an effect is not implausible; a shape has no neutral value to be near to.
-  if (!std::isnan(p.neutral)) {
-    low = std::min(low, 0.0);
-    high = std::max(high, 0.0);
-  }
-  const double value = p.value - neutral;
-  return value - margin <= (high > 0.0 ? high * factor : high / factor) &&
-         value + margin >= (low > 0.0 ? low / factor : low * factor);
-}
-
 /// Where the parameters of a member begin.
 std::size_t begin_of(const fit::Problem& problem, const Explanation& e, std::size_t member) {
   std::size_t at = problem.base.size();
@@ -99,6 +80,24 @@ std::vector<double> held_out_errors_of(const Evidence& evidence, const fit::Resp
 }
 
 }  // namespace
+
+bool is_plausible(const record::Parameter& p, double factor) {
+  const double margin = std::isfinite(p.std) ? 2.0 * p.std : 0.0;
+  const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
+  const auto limit = [&](double given, double bound) {  // without a range met in practice any size
+    return (std::isnan(given) ? bound : given) - neutral;
+  };
+  double low = limit(p.plausible_lower, p.lower);
+  double high = limit(p.plausible_upper, p.upper);
+  // Little of an effect is not implausible; a shape has no neutral value to be near to.
+  if (!std::isnan(p.neutral)) {
+    low = std::min(low, 0.0);
+    high = std::max(high, 0.0);
+  }
+  const double value = p.value - neutral;
+  return value - margin <= (high > 0.0 ? high * factor : high / factor) &&
+         value + margin >= (low > 0.0 ? low / factor : low * factor);
+}
 
 std::string correction_text(const fit::Problem& problem, const Explanation& e, std::size_t member) {
   const fit::Candidate& c = problem.candidates[member].candidate;

@@ -28,6 +28,9 @@ namespace raceway::verdict {
 [[nodiscard]] std::string correction_text(const fit::Problem& problem, const Explanation& e,
                                           std::size_t member);
 
+/// Returns false if a fitted value is more than `factor` times beyond the range seen in practice.
+/// Two standard errors and values near the neutral value are allowed.
+[[nodiscard]] bool is_plausible(const record::Parameter& p, double factor);
 /// Returns the 95 % interval of the size of one candidate by profile likelihood. The interval is
 /// NaN if the formula of the candidate is multiplied by fitted powers of the inputs
 /// (Attribution::elastic()), because the exponents have no physical meaning.
@@ -45,8 +48,11 @@ namespace raceway::verdict {
 /// probability is 0 if the candidate also improves a fit that contains one offset for each block.
 /// The blocks are those that may be undeclared runs (RowOrder::new_block), or the declared runs if
 /// the data do not show how much runs differ (NoiseModel::unknown_runs). With two blocks, the
-/// probability is 1. The result is NaN if there are no blocks, or if the formula of the candidate
-/// is multiplied by fitted powers of the inputs (Attribution::elastic()).
+/// probability is 1. The probability is also 1 if the record has one channel, and one step of all
+/// readings from some block on has a gain of at least G - within_reach: if the levels of a setting
+/// have the same order in two passes, a drift over time equals such a step together with an
+/// influence of this setting. The result is NaN if there are no blocks, or if the formula of the
+/// candidate is multiplied by fitted powers of the inputs (Attribution::elastic()).
 [[nodiscard]] double chance_of_block_offsets(const Evidence& evidence, const Explanation& e,
                                              std::size_t member);
 

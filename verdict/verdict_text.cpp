@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verdict/effect_sizes.h"
 #include "verdict/search.h"
 
 namespace raceway::verdict {
@@ -99,16 +100,14 @@ std::string shift_text(const Diagnosis& d) {
 std::vector<record::Note> unusual_values(std::span<const record::Parameter> fitted) {
   constexpr double far = 3.0;
   std::vector<record::Note> notes;
-  for (const record::Parameter& p : fitted) {
-    const double margin = std::isfinite(p.std) ? 2.0 * p.std : 0.0;
-    if (!p.held &&
-        (p.value - margin > far * p.plausible_upper || p.value + margin < p.plausible_lower / far))
+  for (const record::Parameter& p : fitted)
+    if (!p.held && !is_plausible(p, far))
       notes.push_back(record::note::check_data(
-          fmt::format("{} = {:.3g} is far from the usual {:g} to {:g}: check the units of readings "
-                      "and inputs, and what they refer to; or the model lacks an effect",
-                      p.name, p.value, p.plausible_lower, p.plausible_upper),
+          fmt::format("{} = {} is far from the usual {:g} to {}: check the units of readings and "
+                      "inputs, and what they refer to; or the model lacks an effect",
+                      p.name, with_unit(p.value, p.unit), p.plausible_lower,
+                      with_unit(p.plausible_upper, p.unit)),
           {.key = p.name}));
-  }
   return notes;
 }
 

@@ -37,8 +37,8 @@ namespace raceway::verdict {
 /// effects of the verdict are left out of the fit. The text is empty if all these errors are below
 /// 1 %.
 [[nodiscard]] std::string shift_text(const Diagnosis& d);
-/// Returns warnings about fitted parameters of the model that are more than three times above or
-/// below the range seen in practice.
+/// Returns warnings about fitted parameters of the model that are more than three times beyond
+/// the range seen in practice.
 [[nodiscard]] std::vector<record::Note> unusual_values(std::span<const record::Parameter> fitted);
 /// Returns false if the gains of the rival explanations should still be too near to each other
 /// after the suggested measurements.

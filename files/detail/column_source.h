@@ -41,8 +41,10 @@ struct Recognised {
   [[nodiscard]] const ColumnSource* find(const record::Channel& channel) const;
 };
 
-/// Finds the columns of a file. Throws InputError if a column that a rule of `options.columns`
-/// names is missing, and if two columns give the same quantity.
+/// Finds the columns of a file. Throws InputError if two columns give the same quantity, and if a
+/// rule of `options.columns` names a column that is missing. Of several headers for one quantity,
+/// the file needs one. A column may be missing if the record has several files
+/// (ReadOptions::of_several), and a measured column with ReadOptions::without_readings.
 [[nodiscard]] Recognised recognise(const text::CsvTable& table, const ReadOptions& options);
 
 /// Returns true if a column contains dates or times of day, not numbers.

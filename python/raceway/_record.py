@@ -32,8 +32,9 @@ class Record:
         Name of the record in messages.
     text : str
         CSV text with a header, in any format that the command accepts.
-    columns : mapping of str to str, or str, optional
-        Map from raceway column names to the column names in the file, such as ``{"friction_torque_Nm": "Moment"}``; or
+    columns : mapping of str to str, float or sequence of str, or str, optional
+        Map from raceway column names to the column names in the file, such as ``{"friction_torque_Nm": "Moment"}``; a
+        number is the value of all rows, and of several names the file needs one. Or
         the text of a ``[columns]`` table, such as the result of `Model.suggest_columns`.
     drop_nan : bool
         True omits rows without a number in a column that the model uses.
@@ -50,7 +51,9 @@ class Record:
     <BLANKLINE>
     """
 
-    def __init__(self, name: str, text: str, *, columns: Mapping[str, str] | str | None = None, drop_nan: bool = False) -> None:
+    def __init__(
+        self, name: str, text: str, *, columns: Mapping[str, str | float | Sequence[str]] | str | None = None, drop_nan: bool = False
+    ) -> None:
         if not isinstance(text, str):
             raise TypeError(f"text: must be a str with the content of a CSV file, not {type(text).__name__}")
         self._name = str(name)
@@ -61,7 +64,9 @@ class Record:
         self._others: tuple[Record, ...] = ()
 
     @classmethod
-    def _of(cls, name: str, own: dict[str, numpy.ndarray | list[str]], columns: Mapping[str, str] | str | None, drop_nan: bool) -> Record:
+    def _of(
+        cls, name: str, own: dict[str, numpy.ndarray | list[str]], columns: Mapping[str, str | float | Sequence[str]] | str | None, drop_nan: bool
+    ) -> Record:
         record = cls.__new__(cls)
         record.__setstate__((str(name), own, _column_map(columns), bool(drop_nan), ()))
         return record
@@ -96,7 +101,9 @@ class Record:
         return record
 
     @classmethod
-    def read(cls, path: str | os.PathLike[str], *, columns: Mapping[str, str] | str | None = None, drop_nan: bool = False) -> Record:
+    def read(
+        cls, path: str | os.PathLike[str], *, columns: Mapping[str, str | float | Sequence[str]] | str | None = None, drop_nan: bool = False
+    ) -> Record:
         """Read a CSV file.
 
         Raises
@@ -108,7 +115,12 @@ class Record:
 
     @classmethod
     def from_pandas(
-        cls, frame: pandas.DataFrame, *, columns: Mapping[str, str] | str | None = None, name: str = "DataFrame", drop_nan: bool = False
+        cls,
+        frame: pandas.DataFrame,
+        *,
+        columns: Mapping[str, str | float | Sequence[str]] | str | None = None,
+        name: str = "DataFrame",
+        drop_nan: bool = False,
     ) -> Record:
         """Create a record from the columns of a DataFrame. The index is not used.
 
@@ -116,7 +128,7 @@ class Record:
         ----------
         frame : pandas.DataFrame
             One row per reading, with NaN for a missing reading.
-        columns : mapping of str to str, optional
+        columns : mapping of str to str, float or sequence of str, optional
             Map from names of raceway, which give the unit of the numbers, to names of the frame.
         name : str
             Name of the record in messages.
@@ -147,7 +159,7 @@ class Record:
         cls,
         arrays: Mapping[str, ArrayLike | Sequence[str]],
         *,
-        columns: Mapping[str, str] | str | None = None,
+        columns: Mapping[str, str | float | Sequence[str]] | str | None = None,
         name: str = "arrays",
         drop_nan: bool = False,
     ) -> Record:
@@ -252,7 +264,7 @@ def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
             )
 
 
-def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
+def _column_map(columns: Mapping[str, str | float | Sequence[str]] | str | None) -> str | None:
     """Return the map as the text of a table [columns]. The library reads this text and checks it."""
     if columns is None or isinstance(columns, str):
         return columns
@@ -263,8 +275,14 @@ def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
         )
     lines = ["[columns]"]
     for ours, theirs in columns.items():
+        if isinstance(theirs, (list, tuple)) and theirs and all(isinstance(one, str) for one in theirs):
+            lines.append(f"{json.dumps(str(ours))} = {json.dumps(list(theirs))}")
+            continue
         if isinstance(theirs, bool) or not isinstance(theirs, (str, Real)):
-            raise TypeError(f"columns: {ours} must be the name of a column in your data, or one number for all rows, " f"not {type(theirs).__name__}")
+            raise TypeError(
+                f"columns: {ours} must be the name of a column in your data, a list of such names, or one number for all rows, "
+                f"not {type(theirs).__name__}"
+            )
         # A JSON string is also a valid TOML string.
         value = json.dumps(theirs) if isinstance(theirs, str) else repr(float(theirs))
         lines.append(f"{json.dumps(str(ours))} = {value}")

@@ -457,6 +457,28 @@ TEST(LoggerExports, OneOfTheJoinedFilesMayNameTheRuns) {
   EXPECT_THAT(file_text(rows), HasSubstr("tuesday"));
 }
 
+TEST(LoggerExports, ANewCorrectionComesFromSeveralFiles) {
+  const Exported temperatures([](std::size_t row, Cells& cells) {
+    if (row == 0) cells = {"Zeit [s]", "n [1/min]", "T Lager [\u00b0C]", "T Raum [\u00b0C]"};
+    cells.resize(4);
+  });
+  std::string probe;
+  std::istringstream in(file_text(folder_of_record + "train.csv"));
+  for (std::string line; std::getline(in, line);) {
+    const Cells cells = cells_of(line);
+    probe += probe.empty() ? "t in s,Taster [um]\n" : cells[0] + "," + cells[4] + "\n";
+  }
+  const std::string beside = " --beside " + temperatures.folder.write("probe.csv", probe);
+  const std::string model = temperatures.folder.file("new.toml");
+  const Result made = run("new --record " + temperatures.file + beside + " -o " + model);
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Result found = run("identify " + model + " " + temperatures.file + beside);
+  EXPECT_EQ(found.status, 0) << found.err;
+  const Result map =
+      run("check " + model + " " + temperatures.file + beside + " --suggest-columns");
+  EXPECT_THAT(map.out, HasSubstr("\ntime_s = ["));
+}
+
 TEST(LoggerExports, ARecordWithoutTheProbeIsPredicted) {
   const Exported production([](std::size_t, Cells& cells) { cells.resize(4); });
   const std::string map = production.folder.write(
@@ -470,6 +492,20 @@ TEST(LoggerExports, ARecordWithoutTheProbeIsPredicted) {
   expect_refused(run("export " + record_model + " --format csv --columns " + map),
                  "--columns, --beside and --drop-nan need --record");
   expect_refused(run("compare " + files), "the column \"probe\" is missing; ");
+}
+
+// The runs of the record stand in one file, the speed when it changes in another.
+TEST(LoggerExports, ASpeedHoldsIntoTheNextRun) {
+  const Exported temperatures([](std::size_t row, Cells& cells) {
+    cells = {cells[0], cells[2], cells[3], cells[4],
+             row == 0    ? "run_id"
+             : row < 300 ? "monday"
+                         : "tuesday"};
+  });
+  const std::string speed = temperatures.folder.write("speed.csv", "time_s,speed_rpm\n0,3000\n");
+  const Result r = run("check " + record_model + " " + temperatures.file + " --beside " + speed);
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_THAT(r.err, Not(HasSubstr("before the first value")));
 }
 
 TEST(LoggerExports, FilesOfDifferentClocksAreNotJoined) {
@@ -496,8 +532,17 @@ TEST(LoggerExports, FilesOfDifferentClocksAreNotJoined) {
                     changing = file("changing.csv", temperatures, "", true),
                     zoned = file("zoned.csv", temperatures, "+01:00", false);
   for (const auto& [a, b] : {std::pair(speed, changing), std::pair(changing, speed)})
-    expect_refused(joined(a, b), "changing.csv:14: the clock goes back by one hour, and in ");
+    expect_refused(joined(a, b), "changing.csv:14: the clock goes back by one hour, and ");
   expect_refused(joined(speed, zoned), "have an offset from UTC, and the dates of ");
+  // One that begins after the change: there, 04:00 is four hours after 01:00.
+  const std::string later =
+      folder.write("later.csv", "Time,speed_rpm\n2024-10-27T04:00:00,20\n2024-10-27T04:50:00,30\n");
+  const std::string rows = folder.file("rows.csv");
+  const Result r = run("check " + record_model + " " + changing + " --beside " + later +
+                       " --columns " + map + " -o " + rows);
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_THAT(file_text(rows), HasSubstr("\n14400,"));
+  EXPECT_THAT(r.err, HasSubstr("rows before 14400 s"));
 }
 
 /// A logger that samples has stopped: what the control set after its last row is not known.

@@ -81,7 +81,7 @@ std::string model_error(const std::string& text) {
 
 TEST(ModelFile, AnAngleInRadAndARatingInKilonewtonsAreAskedAbout) {
   EXPECT_EQ(model_error(changed("contact_angle_deg = 25.0", "contact_angle_deg = 0.4363")),
-            "m.toml:6: contact_angle_deg = 0.4363: must be 0, or from 1 to 65 deg; is the value in "
+            "m.toml:6: contact_angle_deg = 0.4363: must be 0, or from 2 to 65 deg; is the value in "
             "rad?");
   EXPECT_EQ(
       model_error(changed("= 43000", "= 43")),

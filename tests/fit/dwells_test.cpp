@@ -158,6 +158,11 @@ TEST(Dwells, RowsOnFastRampsBetweenThemAreLeftOut) {
   EXPECT_EQ(averaged.ramps, 11U);
   EXPECT_EQ(averaged.alone, 1U);  // the last row, which nothing follows
   EXPECT_THAT(averaged.statement(), HasSubstr("11 rows on fast ramps between dwells are not used"));
+  // After a single dwell, the ramp is the measurement.
+  Log one;
+  for (int i = 0; i < 20; ++i) one.add(i, 500.0 + 100.0 * i, 500.0, 40.0, 100.0 + i);
+  for (int i = 20; i < 60; ++i) one.add(i, 2500.0, 500.0, 40.0, 120.0 + 0.1 * (i % 3));
+  EXPECT_EQ(average_dwells(one.record()).ramps, 0U);
   // Rows of a slow ramp are measurements.
   Log slow;
   for (int i = 0; i < 40; ++i) slow.add(i, 1000.0, 500.0, 40.0, 100.0 + 0.1 * (i % 3));
