@@ -133,6 +133,8 @@ def test_a_bank_of_lags_on_a_real_spindle(document, spindle, tmp_path):
         found = bare.identify(spindle, lags_s=lags)
         expected = document("identify", bare.source, str(file), "--lags", flag)
         assert found.data.pop("data") == "spindle" and expected.pop("data") == str(file)
+        for said in found.data["said"] + expected["said"]:
+            assert said.pop("file", None) in (None, "spindle", str(file))
         assert found.data == expected
     assert {"speed.gain_1", "t16.gain_2"} <= set(found.parameters)
 

@@ -40,11 +40,16 @@ def test_a_frame_in_place_of_a_record(rig, frame):
 
 
 def test_columns_that_are_none(frame):
-    for theirs in (None, ["n"], True):
+    for theirs in (None, [3], [], True):
         with pytest.raises(TypeError, match="columns: speed_rpm must be the name of a column in your data"):
             raceway.Record.from_pandas(frame, columns={"speed_rpm": theirs})
     with pytest.raises(raceway.InputError, match="two columns are named speed_rpm"):
         raceway.Record.from_pandas(pandas.concat([frame, frame[["speed_rpm"]]], axis=1))
+
+
+def test_one_of_several_names_of_a_column(rig, frame):
+    named = raceway.Record.from_pandas(frame.rename(columns={"speed_rpm": "n"}), columns={"speed_rpm": ["rpm", "n"]})
+    assert rig.compare(named).rmse == pytest.approx(rig.compare(raceway.Record.from_pandas(frame)).rmse)
 
 
 def test_a_decimal_comma_that_pandas_read_as_text(rig, frame):
