@@ -1,6 +1,8 @@
 // Files of other programs, from their columns to a verdict.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "tests/cli/sample.h"
 #include "tests/places.h"
 
@@ -126,6 +128,30 @@ TEST(Columns, AUnitThatIsSaidIsNotAskedAboutAgain) {
       "[columns]\nfriction_torque_Nmm = { column = \"friction_torque_Nmm\", unit = \"Nm\" }\n");
   EXPECT_THAT(run("compare " + wrong.model + " " + wrong.data + " --columns " + right).err,
               Not(HasSubstr("too small for the model")));
+}
+
+TEST(Columns, AReversedTorqueStopsBeforeTheVerdict) {
+  const ScratchFolder folder;
+  const std::string model = folder.write("my.toml", model_text);
+  const auto rows = [](double factor, double zero) {
+    std::string text = "speed_rpm,axial_load_N,temperature_C,Moment\n";
+    for (const double n : {1000.0, 2000.0, 4000.0, 8000.0})
+      for (const double load : {100.0, 500.0, 900.0})
+        text += fmt::format("{},{},40,{}\n", n, load,
+                            factor * (std::pow(n, 2.0 / 3.0) + 0.02 * load) / 1000.0 + zero);
+    return text;
+  };
+  const std::string map = folder.write("map.toml", "[columns]\nfriction_torque_Nm = \"Moment\"\n");
+  const auto compared = [&](const std::string& text, const std::string& columns) {
+    return run("compare " + model + " " + folder.write("r.csv", text) + " --columns " + columns);
+  };
+  const std::string answer =
+      "friction_torque_Nmm = { column = \"Moment\", unit = \"Nm\", factor = -1 }";
+  expect_refused(compared(rows(-1.0, 0.0), map), "Reverse the sign in [columns]: " + answer);
+  const std::string right = folder.write("right.toml", "[columns]\n" + answer + "\n");
+  EXPECT_EQ(compared(rows(-1.0, 0.0), right).status, 0);
+  // A zero that is off by more than the friction is no reversed sign.
+  EXPECT_EQ(compared(rows(1.0, -1.0), map).status, 0);
 }
 
 /// Who reads documents alone reads neither stderr nor its warnings.

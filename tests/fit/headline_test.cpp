@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "record/units.h"
+#include "verdict/verdict_text.h"
 
 namespace raceway::fit {
 namespace {
@@ -115,6 +116,43 @@ TEST(Headline, ClaimsNoMoreThanTheDataShow) {
   d.within_tolerance = true;
   EXPECT_EQ(verdict::headline(d),
             "Nothing is missing that matters: error 44.9 N mm, noise 10.2 N mm");
+}
+
+TEST(VerdictText, ValuesFarFromTheirRangeAreNamed) {
+  record::Parameter z{.name = "z", .unit = "1", .value = 0.0065, .lower = 0.0, .upper = 0.02};
+  z.plausible_lower = 0.00067;
+  z.plausible_upper = 0.001;
+  const std::vector<record::Note> said = verdict::unusual_values({&z, 1});
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said.front().text.substr(0, 51), "z = 0.0065 is far from the usual 0.00067 to 0.001: ");
+  for (const double usual : {0.0009, 0.0029, 0.00023}) {
+    z.value = usual;
+    EXPECT_TRUE(verdict::unusual_values({&z, 1}).empty()) << usual;
+  }
+  // A size below its neutral value, as far as the range allows, and a small one.
+  record::Parameter offset{.name = "load-offset.force_N", .unit = "N", .lower = -5e3, .upper = 5e3};
+  offset.plausible_lower = -300.0;
+  offset.plausible_upper = 300.0;
+  offset.neutral = 0.0;
+  for (const double usual : {-150.0, 1.0, 800.0}) {
+    offset.value = usual;
+    EXPECT_TRUE(verdict::unusual_values({&offset, 1}).empty()) << usual;
+  }
+  offset.value = -1000.0;
+  EXPECT_EQ(verdict::unusual_values({&offset, 1}).size(), 1U);
+}
+
+TEST(VerdictText, PointsThatDoNotDecideAreSaidToBeSo) {
+  verdict::Diagnosis d = found(verdict::Verdict::ambiguous, {{"windage"}, {"lubricant-drag"}});
+  d.suggested_measurements.push_back({.point = {}, .words = "4160 rpm", .repeats = 6});
+  d.predicted_separation = 3.0;
+  d.separation_by_repetition = 2.0;
+  EXPECT_FALSE(verdict::will_decide(d));
+  EXPECT_NE(verdict::measure_text(d).find("A decision needs a difference of 6."),
+            std::string::npos);
+  d.predicted_separation = 24.0;
+  EXPECT_TRUE(verdict::will_decide(d));
+  EXPECT_EQ(verdict::measure_text(d).find("A decision"), std::string::npos);
 }
 
 }  // namespace
