@@ -82,19 +82,28 @@ std::string line_of(const text::CsvTable& table, const ColumnProposal& p) {
                      p.unit->suffix);
 }
 
+/// "[a, b]" of several, else the one.
+std::string one_or_list(const std::vector<std::string>& columns) {
+  return columns.size() == 1 ? columns.front() : fmt::format("[{}]", fmt::join(columns, ", "));
+}
+
 /// `time_s = ["Zeit", "Timestamp"]` where columns of several files need a rule for one quantity;
 /// otherwise empty.
-std::string list_of(const std::vector<ProposedFile>& files, const record::Channel& channel) {
+std::string rule_of_several(const std::vector<ProposedFile>& files,
+                            const record::Channel& channel) {
+  std::size_t count = 0;
   std::vector<std::string> columns;
   for (const ProposedFile& file : files)
     for (const ColumnProposal& p : file.proposals) {
       if (!(*p.channel == channel) || p.has_our_name || !p.unknown_unit.empty()) continue;
       const std::string line = line_of(*file.table, p);
       const std::size_t begin = line.find(" = ") + 3;
-      columns.push_back(line.substr(begin, line.find("  #") - begin));
+      std::string column = line.substr(begin, line.find("  #") - begin);
+      ++count;
+      if (std::find(columns.begin(), columns.end(), column) == columns.end())
+        columns.push_back(std::move(column));
     }
-  return columns.size() > 1 ? fmt::format("{} = [{}]\n", channel.name, fmt::join(columns, ", "))
-                            : std::string();
+  return count > 1 ? fmt::format("{} = {}\n", channel.name, one_or_list(columns)) : std::string();
 }
 
 std::string rule_text(const ColumnRule& rule) {
@@ -119,9 +128,7 @@ std::string rules_text(const ColumnMap& map) {
     std::vector<std::string> columns;
     for (; next < map.rules.size() && map.rules[next].key == key; ++next)
       columns.push_back(rule_text(map.rules[next]));
-    const bool several = columns.size() > 1;
-    text += fmt::format("{} = {}{}{}\n", key, several ? "[" : "", fmt::join(columns, ", "),
-                        several ? "]" : "");
+    text += fmt::format("{} = {}\n", key, one_or_list(columns));
   }
   return text;
 }
@@ -207,10 +214,10 @@ std::string proposed_columns(const std::vector<ProposedFile>& files,
   for (const ProposedFile& file : files) {
     for (const ColumnProposal& p : file.proposals) {
       const std::string line = line_of(*file.table, p);
-      if (const std::string list = list_of(files, *p.channel); list.empty())
+      if (const std::string rule = rule_of_several(files, *p.channel); rule.empty())
         text += line + (p.remark.empty() ? "\n" : "  # " + p.remark + "\n");
       else if (std::find(written.begin(), written.end(), p.channel) == written.end())
-        text += list;
+        text += rule;
       written.push_back(p.channel);
     }
     for (std::size_t c = 0; c < file.table->header.size(); ++c)

@@ -187,7 +187,9 @@ TEST(SuggestColumns, OfSeveralFilesAreOneMap) {
   record.beside.emplace_back("probe.csv",
                              "Timestamp,Probe Z (mm)\n2024-03-12T08:00:30,0.001\n"
                              "2024-03-12T08:01:30,0.002\n");
-  record.beside.emplace_back("speed.csv", "time_s,Spindle speed (rpm)\n0,0\n60,3000\n");
+  record.beside.emplace_back("speed.csv",
+                             "Timestamp,Spindle speed (rpm)\n2024-03-12T08:00:00,0\n"
+                             "2024-03-12T08:01:00,3000\n");
   const std::vector<correction::Model> models{
       {.displacement = record::series_channel("displacement_z_um")}};
   const std::string map = suggested_columns(record, models);
