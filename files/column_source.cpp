@@ -233,16 +233,7 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
             rule.place));
       continue;
     }
-    if (options.without_readings && rule.channel->role == record::Role::measured) {
-      if (!options.of_several)
-        found.notes.push_back(record::note::left_out(
-            fmt::format("the file has no column {}, which {} uses for {}: there are no readings to "
-                        "compare with",
-                        options.columns.headers_of(*rule.channel), rule.place.text(), rule.key),
-            {.file = table.source, .key = rule.header}));
-      continue;
-    }
-    if (options.of_several) {
+    if (options.of_several || may_be_missing(rule, options)) {
       found.not_here.push_back(&rule);
       continue;
     }
@@ -256,6 +247,10 @@ void require_columns(const text::CsvTable& table, const ReadOptions& options, Re
 }
 
 }  // namespace
+
+bool may_be_missing(const ColumnRule& rule, const ReadOptions& options) {
+  return options.without_readings && rule.channel->role == record::Role::measured;
+}
 
 text::CellRange range_of(const ColumnSource& source, bool with_sign) {
   const Channel& c = *source.channel;

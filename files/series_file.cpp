@@ -686,8 +686,7 @@ void require_transducers(const SeriesOfFiles::Files& files, const ColumnMap& map
 /// Throws InputError for a column that none of the files has, of those that are needed and of those
 /// that the map names.
 SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
-                                const Channels& needed, ReadOptions options) {
-  options.of_several = !source.beside.empty();
+                                const Channels& needed, const ReadOptions& options) {
   SeriesOfFiles::Files files;
   const auto add = [&](const Source& one) {
     files.push_back(
@@ -697,7 +696,8 @@ SeriesOfFiles::Files readers_of(const Source& source, const Channels& wanted,
   for (const Source& other : source.beside) add(other);
   const auto none = [&](const auto& has) { return std::none_of(files.begin(), files.end(), has); };
   for (const ColumnRule* rule : files.front()->found().not_here)
-    if (none([&](const auto& f) { return f->has(*rule->channel); }))
+    if (!may_be_missing(*rule, options) &&
+        none([&](const auto& f) { return f->has(*rule->channel); }))
       throw text::InputError(fmt::format("{}: neither this file nor the files joined with it have "
                                          "the column {}, which {} uses for {}",
                                          source.name, options.columns.headers_of(*rule->channel),
@@ -718,9 +718,16 @@ ReadOptions over_time(ReadOptions options) {
 
 record::Record read_series(const Source& source, const Channels& wanted, const Channels& needed,
                            const ReadOptions& given) {
-  const ReadOptions options = over_time(given);
+  ReadOptions options = over_time(given);
+  options.of_several = !source.beside.empty();
   std::vector<std::unique_ptr<SeriesReader>> files = readers_of(source, wanted, needed, options);
   Record record = files.size() > 1 ? SeriesOfFiles(files).read() : files.front()->read();
+  for (const ColumnRule* rule : files.front()->found().not_here)
+    if (may_be_missing(*rule, options) && !record.has(*rule->channel))
+      record.notes.push_back(record::note::left_out(
+          fmt::format("no column {}, which {} uses for {}: there are no readings to compare with",
+                      options.columns.headers_of(*rule->channel), rule->place.text(), rule->key),
+          {.file = record.source, .key = rule->header}));
   leave_out_impossible_inputs(record);
   combine_transducers(record, options.columns, wanted);
   fill_inputs(record, needed, options.of_spindle);

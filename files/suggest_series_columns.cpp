@@ -226,7 +226,7 @@ class SeriesProposals {
     return in_order;
   }
 
-  /// What the models need and no file has.
+  /// Quantities that the models need, and for which no column was found.
   [[nodiscard]] const std::vector<const Channel*>& missing() const { return wanted_; }
 
  private:

@@ -15,7 +15,7 @@
 namespace raceway::model {
 namespace {
 
-/// How far a value is above its limit: relative, so that bearings of all sizes compare.
+/// Distance of a value from its limit, divided by the limit: a measure for bearings of all sizes.
 double excess(double value, double limit) {
   return limit == 0.0 ? value : (value - limit) / std::abs(limit);
 }

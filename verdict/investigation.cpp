@@ -374,9 +374,8 @@ std::string Investigation::doubt_about_time(const Set& set) const {
   return record_.has(record::run)
              ? "but a sensor zero that was set before each run may change the readings in the same "
                "way"
-             : "but a sensor zero that was set before each block of rows may change the readings "
-               "in "
-               "the same way, because no column run_id marks the runs";
+             : "but a sensor zero that was set before each block of rows may change the "
+               "readings in the same way, because no column run_id marks the runs";
 }
 
 /// Nothing in the set explains the misfit by its own law but shapes that stand for none.

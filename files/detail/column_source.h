@@ -47,6 +47,9 @@ struct Recognised {
 /// (ReadOptions::of_several), and a measured column with ReadOptions::without_readings.
 [[nodiscard]] Recognised recognise(const text::CsvTable& table, const ReadOptions& options);
 
+/// Returns true if a record may lack the column of this rule (ReadOptions::without_readings).
+[[nodiscard]] bool may_be_missing(const ColumnRule& rule, const ReadOptions& options);
+
 /// Returns true if a column contains dates or times of day, not numbers.
 [[nodiscard]] bool is_stamped(const text::CsvTable& table, const ColumnSource& source);
 

@@ -484,7 +484,9 @@ TEST(LoggerExports, ARecordWithoutTheProbeIsPredicted) {
   const std::string map = production.folder.write(
       "map.toml", "[columns]\ndisplacement_z_um = \"probe\"\ntime_s = \"time_s\"\n");
   const std::string files = record_model + " " + production.file + " --columns " + map;
-  EXPECT_EQ(run("correct " + files).status, 0);
+  const Result alone = run("correct " + files);
+  EXPECT_EQ(alone.status, 0);
+  EXPECT_THAT(alone.err, HasSubstr("no column \"probe\", which "));
   EXPECT_EQ(run("export " + record_model + " --format csv --accept-untrusted --columns " + map +
                 " --record " + production.file)
                 .status,
